@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Installs what building, running and testing needs, on a bare Debian 12. This is the one list of packages.
+# Usage: deploy/install-deps.sh          as root, or as a user who may run sudo
+# Exit:  0 all present, 1 something could not be installed (the message names it)
+set -euo pipefail
+
+packages=(
+  # tool chain
+  g++ cmake ninja-build pkg-config ccache python3 git ca-certificates
+  # the chosen packages
+  libeigen3-dev libfastrtps-dev libfastcdr-dev fastddsgen libnlopt-dev libnlopt-cxx-dev libspdlog-dev
+  libgtest-dev libgmock-dev
+  # configuration, files, command line
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libssl-dev
+  # an independent DDS for the interoperability tests and the C example
+  cyclonedds-dev cyclonedds-tools
+  # pictures of the documentation
+  gnuplot-nox
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "install-deps: missing packages: ${missing[*]}" >&2
+    echo "install-deps: run this script as root, or install sudo" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "install-deps: installing ${missing[*]}" >&2
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq >&2
+if ! "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2; then
+  echo "install-deps: apt-get could not install: ${missing[*]}" >&2
+  exit 1
+fi
