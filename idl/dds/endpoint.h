@@ -1,0 +1,102 @@
+#pragma once
+// Writer<T> and Reader<T>: one topic each, with the delivery of idl/topics.h.
+//
+// Real-time safe: write and take allocate nothing of ours; what the middleware does in them is measured (DESIGN.md).
+// Both must be destroyed before their Participant.
+
+#include <atomic>
+
+#include "idl/dds/participant.h"
+
+namespace ehm::wire {
+
+template <class T>
+class Writer : private eprosima::fastdds::dds::DataWriterListener {
+ public:
+  explicit Writer(Participant& participant) : participant_(participant) {
+    auto* topic = participant.topic(Topic<T>::name,
+                                    eprosima::fastdds::dds::TypeSupport(new typename Topic<T>::PubSubType()));
+    writer_ = participant.publisher()->create_datawriter(
+        topic, writer_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy), this);
+    if (!writer_) throw DdsError(std::string("no DDS writer on topic '") + Topic<T>::name + "'");
+  }
+  ~Writer() override {
+    writer_->set_listener(nullptr);
+    participant_.publisher()->delete_datawriter(writer_);
+  }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  /// False when the middleware refused the sample; the caller counts it.
+  bool write(const T& sample) { return writer_->write(const_cast<T*>(&sample)); }
+  /// Readers matched at present.
+  int matched() const { return matched_.load(std::memory_order_acquire); }
+  /// Waits until all matched readers have acknowledged; false after the time limit.
+  bool drain(double seconds) {
+    return writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(static_cast<long double>(seconds))) ==
+           eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
+  }
+
+ private:
+  void on_publication_matched(eprosima::fastdds::dds::DataWriter*,
+                              const eprosima::fastdds::dds::PublicationMatchedStatus& status) override {
+    matched_.store(status.current_count, std::memory_order_release);
+  }
+  void on_offered_incompatible_qos(eprosima::fastdds::dds::DataWriter*,
+                                   const eprosima::fastdds::dds::OfferedIncompatibleQosStatus& status) override {
+    participant_.report_incompatible(Topic<T>::name, "reader", status.last_policy_id);
+  }
+
+  Participant& participant_;
+  eprosima::fastdds::dds::DataWriter* writer_ = nullptr;
+  std::atomic<int> matched_{0};
+};
+
+template <class T>
+class Reader : private eprosima::fastdds::dds::DataReaderListener {
+ public:
+  explicit Reader(Participant& participant) : participant_(participant) {
+    auto* topic = participant.topic(Topic<T>::name,
+                                    eprosima::fastdds::dds::TypeSupport(new typename Topic<T>::PubSubType()));
+    // Data wakes the WaitSet, not the listener: the listener only hears of matching.
+    const auto mask = eprosima::fastdds::dds::StatusMask::subscription_matched() |
+                      eprosima::fastdds::dds::StatusMask::requested_incompatible_qos();
+    reader_ = participant.subscriber()->create_datareader(
+        topic, reader_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy), this, mask);
+    if (!reader_) throw DdsError(std::string("no DDS reader on topic '") + Topic<T>::name + "'");
+    reader_->get_statuscondition().set_enabled_statuses(eprosima::fastdds::dds::StatusMask::data_available());
+  }
+  ~Reader() override {
+    reader_->set_listener(nullptr);
+    participant_.subscriber()->delete_datareader(reader_);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  /// The next sample, oldest first; false when there is none. Disposals and other notices without data are passed over.
+  bool take(T& sample) {
+    eprosima::fastdds::dds::SampleInfo info;
+    while (reader_->take_next_sample(&sample, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK)
+      if (info.valid_data) return true;
+    return false;
+  }
+  /// Attach this to a WaitSet; it triggers while data waits.
+  eprosima::fastdds::dds::StatusCondition& condition() { return reader_->get_statuscondition(); }
+  int matched() const { return matched_.load(std::memory_order_acquire); }
+
+ private:
+  void on_subscription_matched(eprosima::fastdds::dds::DataReader*,
+                               const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override {
+    matched_.store(status.current_count, std::memory_order_release);
+  }
+  void on_requested_incompatible_qos(eprosima::fastdds::dds::DataReader*,
+                                     const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override {
+    participant_.report_incompatible(Topic<T>::name, "writer", status.last_policy_id);
+  }
+
+  Participant& participant_;
+  eprosima::fastdds::dds::DataReader* reader_ = nullptr;
+  std::atomic<int> matched_{0};
+};
+
+}  // namespace ehm::wire

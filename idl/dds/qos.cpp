@@ -1,0 +1,66 @@
+#include "idl/dds/qos.h"
+
+namespace ehm::wire {
+
+namespace dds = eprosima::fastdds::dds;
+using eprosima::fastrtps::Duration_t;
+
+namespace {
+
+constexpr int command_depth = 1000;
+constexpr int state_depth = 16;  // the last changes of a condition, for who joins late
+
+Duration_t seconds(double s) { return Duration_t(static_cast<long double>(s)); }
+
+/// The policies that a writer and a reader share.
+template <class Qos>
+void apply_common(Qos& qos, Delivery delivery, bool exclusive) {
+  qos.reliability().kind = dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind =
+      delivery == Delivery::state ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
+  qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = delivery == Delivery::stream    ? stream_depth
+                        : delivery == Delivery::command ? command_depth
+                                                        : state_depth;
+  qos.resource_limits().max_instances = 0;  // 0 is unlimited: a fleet has one key per engine
+  qos.resource_limits().max_samples = 0;
+  qos.resource_limits().max_samples_per_instance = 0;
+  qos.ownership().kind = exclusive ? dds::EXCLUSIVE_OWNERSHIP_QOS : dds::SHARED_OWNERSHIP_QOS;
+  // Data sharing rejects keyed types; saying so keeps the middleware from trying.
+  qos.data_sharing().off();
+  // Preallocated at the largest size of the type: strings are bounded, so nothing grows while running.
+  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_MEMORY_MODE;
+}
+
+}  // namespace
+
+dds::DataWriterQos writer_qos(Delivery delivery, bool estimate, const Redundancy& redundancy) {
+  const bool exclusive = estimate && redundancy.exclusive;
+  dds::DataWriterQos qos;
+  apply_common(qos, delivery, exclusive);
+  // A dead reader must not stop a service: after this the oldest sample goes, and the reader sees a gap.
+  qos.reliability().max_blocking_time = seconds(0.001);
+  qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
+  qos.reliable_writer_qos().times.heartbeatPeriod = seconds(0.02);
+  if (delivery == Delivery::stream) {
+    qos.deadline().period = seconds(offered_deadline_s);
+    qos.liveliness().kind = dds::AUTOMATIC_LIVELINESS_QOS;
+    qos.liveliness().lease_duration = seconds(exclusive ? redundant_lease_s : offered_lease_s);
+    qos.liveliness().announcement_period = seconds((exclusive ? redundant_lease_s : offered_lease_s) / 3.0);
+  }
+  if (exclusive) qos.ownership_strength().value = redundancy.strength;
+  return qos;
+}
+
+dds::DataReaderQos reader_qos(Delivery delivery, bool estimate, const Redundancy& redundancy) {
+  const bool exclusive = estimate && redundancy.exclusive;
+  dds::DataReaderQos qos;
+  apply_common(qos, delivery, exclusive);
+  if (exclusive) {
+    qos.liveliness().kind = dds::AUTOMATIC_LIVELINESS_QOS;
+    qos.liveliness().lease_duration = seconds(redundant_lease_s);
+  }
+  return qos;
+}
+
+}  // namespace ehm::wire

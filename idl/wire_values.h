@@ -1,0 +1,72 @@
+#pragma once
+// The documented values behind the unsigned long fields of engine_health.idl, schema 1.
+// Values are never reused or renumbered: subscribers of any version read them.
+
+#include <cstdint>
+
+namespace ehm::wire {
+
+inline constexpr std::uint32_t schema_version = 1;
+
+/// EngineHealth.flags, EngineAuxiliary.flags, MonitorStatus.flags: bits.
+namespace estimate_flag {
+inline constexpr std::uint32_t converging = 1u << 0;  ///< filter started less than ten of its time constants ago
+inline constexpr std::uint32_t bridging = 1u << 1;    ///< a sensor of the design was predicted, not fused
+inline constexpr std::uint32_t degraded = 1u << 2;    ///< a design without some sensor flies
+inline constexpr std::uint32_t off_design = 1u << 3;  ///< outside the validity of the design's operating point
+inline constexpr std::uint32_t shifted = 1u << 4;     ///< a health shift event is raised
+}  // namespace estimate_flag
+
+/// EngineResiduals.reason: bits, why a sensor was not fused.
+namespace reject_reason {
+inline constexpr std::uint32_t source_invalid = 1u << 0;  ///< the source's validity bit is off
+inline constexpr std::uint32_t not_finite = 1u << 1;
+inline constexpr std::uint32_t range = 1u << 2;
+inline constexpr std::uint32_t rate = 1u << 3;
+inline constexpr std::uint32_t stuck = 1u << 4;
+inline constexpr std::uint32_t innovation_gate = 1u << 5;
+inline constexpr std::uint32_t excluded = 1u << 6;  ///< declared faulty, requalifying
+}  // namespace reject_reason
+
+enum class DescriptionRole : std::uint32_t { source = 1, monitor = 2 };
+
+enum class StatusLevel : std::uint32_t {
+  ok = 0,
+  warn = 1,   ///< estimates flow, with a restriction (degraded, off design, shift, losses)
+  error = 2,  ///< input arrives, but no estimate can be made
+  stale = 3,  ///< no input for three periods
+  stopped = 4 ///< the monitor has shut down in order
+};
+
+enum class EventKind : std::uint32_t {
+  sensor_fault = 1,     ///< channel: sensor; value: sample count or ratio, threshold: its limit
+  health_shift = 2,     ///< channel: health parameter; value: change, threshold: what noise explains
+  health_limit = 3,     ///< channel: health parameter; configured threshold
+  auxiliary_limit = 4,  ///< channel: auxiliary output; configured threshold
+  input_lost = 5,       ///< value: age in seconds
+  filter_restart = 6,   ///< value: seconds of the jump in time or sequence that caused it
+  operating_point = 7,  ///< value: distance from the design's point, threshold: 1
+  no_design = 8         ///< no design for the sensors that are left
+};
+
+enum class SimCommandKind : std::uint32_t {
+  set_demand = 1,      ///< value[0]: fan speed demand n1_rpm
+  set_flight = 2,      ///< value: altitude_m, mach, delta_isa_k
+  set_health = 3,      ///< channel, value[0]: fraction, value[1]: ramp time s (0: a step)
+  add_health = 4,      ///< as set_health, relative to the present value
+  sensor_fault = 5,    ///< channel, fault, value[0]: magnitude (SensorFaultKind), value[1]: duration s (0: until cleared)
+  clear_faults = 6     ///< all sensors
+};
+
+enum class SensorFaultKind : std::uint32_t {
+  none = 0,
+  bias = 1,     ///< magnitude: offset in the sensor's unit
+  drift = 2,    ///< magnitude: unit per second
+  stuck = 3,    ///< magnitude unused: holds the last value
+  dropout = 4,  ///< magnitude unused: validity bit off, value NaN
+  noise = 5     ///< magnitude: factor on the noise
+};
+
+enum class MonitorCommandKind : std::uint32_t { reset = 1 };
+
+}  // namespace ehm::wire
