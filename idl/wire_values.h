@@ -26,6 +26,7 @@ inline constexpr std::uint32_t rate = 1u << 3;
 inline constexpr std::uint32_t stuck = 1u << 4;
 inline constexpr std::uint32_t innovation_gate = 1u << 5;
 inline constexpr std::uint32_t excluded = 1u << 6;  ///< declared faulty, requalifying
+inline constexpr std::uint32_t withheld = 1u << 7;  ///< no filter ran: off design, or too few sensors
 }  // namespace reject_reason
 
 enum class DescriptionRole : std::uint32_t { source = 1, monitor = 2 };

@@ -59,8 +59,9 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
     auto* topic = participant.topic(Topic<T>::name,
                                     eprosima::fastdds::dds::TypeSupport(new typename Topic<T>::PubSubType()));
     // Data wakes the WaitSet, not the listener: the listener only hears of matching.
-    const auto mask = eprosima::fastdds::dds::StatusMask::subscription_matched() |
-                      eprosima::fastdds::dds::StatusMask::requested_incompatible_qos();
+    auto mask = eprosima::fastdds::dds::StatusMask::none();
+    mask << eprosima::fastdds::dds::StatusMask::subscription_matched()
+         << eprosima::fastdds::dds::StatusMask::requested_incompatible_qos();
     reader_ = participant.subscriber()->create_datareader(
         topic, reader_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy), this, mask);
     if (!reader_) throw DdsError(std::string("no DDS reader on topic '") + Topic<T>::name + "'");
@@ -75,11 +76,12 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
 
   /// The next sample, oldest first; false when there is none. Disposals and other notices without data are passed over.
   bool take(T& sample) {
-    eprosima::fastdds::dds::SampleInfo info;
-    while (reader_->take_next_sample(&sample, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK)
-      if (info.valid_data) return true;
+    while (reader_->take_next_sample(&sample, &info_) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK)
+      if (info_.valid_data) return true;
     return false;
   }
+  /// When the middleware received the sample last taken, wall clock, ns.
+  std::int64_t received_ns() const { return info_.reception_timestamp.to_ns(); }
   /// Attach this to a WaitSet; it triggers while data waits.
   eprosima::fastdds::dds::StatusCondition& condition() { return reader_->get_statuscondition(); }
   int matched() const { return matched_.load(std::memory_order_acquire); }
@@ -96,6 +98,7 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
 
   Participant& participant_;
   eprosima::fastdds::dds::DataReader* reader_ = nullptr;
+  eprosima::fastdds::dds::SampleInfo info_;
   std::atomic<int> matched_{0};
 };
 

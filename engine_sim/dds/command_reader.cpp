@@ -1,0 +1,74 @@
+#include "engine_sim/dds/command_reader.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "deploy/config/table_reader.h"
+#include "idl/wire_values.h"
+
+namespace ehm::engine {
+
+namespace {
+
+using wire::SimCommandKind;
+
+void require(const char* field, double value, double min, double max) {
+  if (!(value >= min && value <= max))
+    throw std::invalid_argument(std::string(field) + " is " + config::number_text(value) + ", allowed is " +
+                                config::number_text(min) + " to " + config::number_text(max));
+}
+
+void change_health(const SimCommand& c, Simulation& s, bool relative) {
+  require("channel", c.channel(), 0, health_count - 1);
+  require("value[1] (ramp_s)", c.value()[1], 0, 1e9);
+  const double present = s.health()[c.channel()];
+  const double change = relative ? c.value()[0] : c.value()[0] - present;
+  require("health after the command", present + change, -0.30, 0.10);
+  s.change_health({s.time_s(), c.channel(), change, c.value()[1]});
+}
+
+void inject_fault(const SimCommand& c, Simulation& s) {
+  require("channel", c.channel(), 0, sensor_count - 1);
+  require("fault", c.fault(), 0, static_cast<double>(wire::SensorFaultKind::noise));
+  require("value[0] (magnitude)", c.value()[0], -1e9, 1e9);
+  require("value[1] (duration_s)", c.value()[1], 0, 1e9);
+  s.inject(c.channel(), {static_cast<FaultKind>(c.fault()), c.value()[0], s.time_s(), c.value()[1]});
+}
+
+}  // namespace
+
+void apply(const SimCommand& c, Simulation& s) {
+  require("schema", c.schema(), wire::schema_version, wire::schema_version);
+  switch (static_cast<SimCommandKind>(c.kind())) {
+    case SimCommandKind::set_demand:
+      require("value[0] (n1_rpm)", c.value()[0], 500, 5000);
+      return s.demand(c.value()[0]);
+    case SimCommandKind::set_flight:
+      require("value[0] (altitude_m)", c.value()[0], -500, 15000);
+      require("value[1] (mach)", c.value()[1], 0, 0.95);
+      require("value[2] (delta_isa_k)", c.value()[2], -60, 60);
+      return s.fly({c.value()[0], c.value()[1], c.value()[2]});
+    case SimCommandKind::set_health: return change_health(c, s, false);
+    case SimCommandKind::add_health: return change_health(c, s, true);
+    case SimCommandKind::sensor_fault: return inject_fault(c, s);
+    case SimCommandKind::clear_faults:
+      for (std::size_t i = 0; i < sensor_count; ++i) s.inject(i, {});
+      return;
+  }
+  throw std::invalid_argument("kind is " + std::to_string(c.kind()) + ", allowed is 1 to 6 (idl/wire_values.h)");
+}
+
+void CommandReader::apply_all(Simulation& simulation, const std::function<void(const std::string&)>& say) {
+  SimCommand command;
+  while (reader_.take(command)) {
+    if (command.engine_id() != engine_id_) continue;
+    try {
+      apply(command, simulation);
+      say("command " + std::to_string(command.kind()) + " applied at " + config::number_text(simulation.time_s()) + " s");
+    } catch (const std::invalid_argument& e) {
+      say(std::string("command refused: ") + e.what());
+    }
+  }
+}
+
+}  // namespace ehm::engine

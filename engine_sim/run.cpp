@@ -1,0 +1,93 @@
+#include "engine_sim/run.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "engine_sim/dds/command_reader.h"
+#include "engine_sim/dds/lockstep.h"
+#include "engine_sim/dds/sim_publisher.h"
+#include "engine_sim/pacer.h"
+
+namespace ehm::engine {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds match_poll{10};
+constexpr milliseconds answer_limit{10'000};
+
+wire::ParticipantOptions participant_options(const SimConfig& config) {
+  wire::ParticipantOptions options;
+  options.domain = static_cast<std::uint32_t>(config.domain);
+  options.name = "engine_sim " + std::to_string(config.scenario.engine_id);
+  options.profiles_file = config.profiles_file;
+  options.profile = config.profile;
+  options.partition = config.partition;
+  options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
+  return options;
+}
+
+std::int64_t wall_clock_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+/// Real time stamps samples with the clock; an accelerated run with simulated time from its start, so that dt is right.
+class SourceClock {
+ public:
+  SourceClock(bool real_time, double period_s) : real_time_(real_time), period_s_(period_s), start_ns_(wall_clock_ns()) {}
+  std::int64_t stamp(std::uint64_t sequence) const {
+    return real_time_ ? wall_clock_ns()
+                      : start_ns_ + static_cast<std::int64_t>(static_cast<double>(sequence) * period_s_ * 1e9);
+  }
+
+ private:
+  bool real_time_;
+  double period_s_;
+  std::int64_t start_ns_;
+};
+
+void wait_for_monitors(const SimPublisher& publisher, std::int64_t wanted, const service::StopSignal& stop) {
+  if (publisher.monitors() < wanted) spdlog::info("waiting for {} reader(s) of EngineSensors", wanted);
+  while (publisher.monitors() < wanted && !stop.requested()) std::this_thread::sleep_for(match_poll);
+}
+
+}  // namespace
+
+void run(const SimConfig& config, Simulation& simulation, const service::StopSignal& stop) {
+  const Scenario& scenario = config.scenario;
+  const double rate = config.rate_factor();
+  const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
+
+  wire::Participant participant(participant_options(config));
+  SimPublisher publisher(participant, scenario);
+  CommandReader commands(participant, engine_id);
+  std::optional<Lockstep> lockstep;
+  if (rate == 0.0) lockstep.emplace(participant, engine_id, static_cast<std::uint64_t>(config.lockstep_window));
+  publisher.describe(simulation);
+  wait_for_monitors(publisher, config.wait_for_monitors, stop);
+
+  spdlog::info("engine {} flies at {} m, Mach {}, fan speed {:.1f} rpm", engine_id, scenario.flight.altitude_m,
+               scenario.flight.mach, simulation.nominal().speeds.n1_rpm);
+  const SourceClock clock(rate == 1.0, scenario.sample_time_s);
+  Pacer pacer(rate > 0.0 ? scenario.sample_time_s / rate : scenario.sample_time_s);
+  std::uint64_t sent = 0, refused = 0;
+  while (!stop.requested() && (scenario.duration_s <= 0.0 || simulation.time_s() < scenario.duration_s)) {
+    commands.apply_all(simulation, [](const std::string& what) { spdlog::info("{}", what); });
+    if (lockstep && !lockstep->admit(sent, answer_limit))
+      throw std::runtime_error("rate max: no monitor has answered for 10 s (EngineResiduals of engine " +
+                               std::to_string(engine_id) + "); start a monitor on this domain and partition");
+    const SimSample sample = simulation.next();
+    refused += publisher.publish(sample, clock.stamp(sample.sequence)) ? 0u : 1u;
+    ++sent;
+    if (!lockstep && !pacer.wait()) break;
+  }
+  if (!publisher.drain(1.0)) spdlog::warn("not every reader has acknowledged the last samples");
+  spdlog::info("{} samples published, {} refused by the middleware, {} slips, worst lateness {:.3f} ms", sent, refused,
+               pacer.slips(), 1e-6 * static_cast<double>(pacer.worst_ns()));
+}
+
+}  // namespace ehm::engine

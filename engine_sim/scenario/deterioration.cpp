@@ -1,0 +1,18 @@
+#include "engine_sim/scenario/deterioration.h"
+
+#include <algorithm>
+
+namespace ehm::engine {
+
+HealthVector Deterioration::at(double time_s) const {
+  HealthVector health{};
+  for (std::size_t i = 0; i < health_count; ++i) health[i] = wear_[i].initial + wear_[i].drift_per_s * time_s;
+  for (const HealthChange& c : changes_) {
+    if (time_s < c.time_s) continue;
+    const double done = c.ramp_s > 0.0 ? std::min(1.0, (time_s - c.time_s) / c.ramp_s) : 1.0;
+    health[c.parameter] += c.change * done;
+  }
+  return health;
+}
+
+}  // namespace ehm::engine

@@ -1,0 +1,43 @@
+#include "engine_sim/scenario/flight_profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ehm::engine {
+
+FlightProfile::FlightProfile(ProfilePoint start, std::vector<ProfilePoint> points) : points_(std::move(points)) {
+  if (points_.empty()) points_.push_back(start);
+}
+
+void FlightProfile::override_demand(double n1_rpm) {
+  demand_overridden_ = true;
+  override_.n1_rpm = n1_rpm;
+}
+
+void FlightProfile::override_flight(const FlightCondition& flight) {
+  flight_overridden_ = true;
+  override_.flight = flight;
+}
+
+ProfilePoint FlightProfile::at(double time_s) const {
+  const auto after = std::find_if(points_.begin(), points_.end(), [&](const auto& p) { return p.time_s > time_s; });
+  ProfilePoint point;
+  if (after == points_.begin()) {
+    point = points_.front();
+  } else if (after == points_.end()) {
+    point = points_.back();
+  } else {
+    const ProfilePoint &a = *(after - 1), &b = *after;
+    const double s = (time_s - a.time_s) / (b.time_s - a.time_s);
+    point.flight = {std::lerp(a.flight.altitude_m, b.flight.altitude_m, s),
+                    std::lerp(a.flight.mach, b.flight.mach, s),
+                    std::lerp(a.flight.delta_isa_k, b.flight.delta_isa_k, s)};
+    point.n1_rpm = std::lerp(a.n1_rpm, b.n1_rpm, s);
+  }
+  point.time_s = time_s;
+  if (demand_overridden_) point.n1_rpm = override_.n1_rpm;
+  if (flight_overridden_) point.flight = override_.flight;
+  return point;
+}
+
+}  // namespace ehm::engine

@@ -1,0 +1,156 @@
+#include "engine_sim/scenario/scenario_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "deploy/config/table_reader.h"
+
+namespace ehm::engine {
+
+using config::ConfigError;
+using config::Schema;
+using config::TableReader;
+
+namespace {
+
+constexpr double far_future_s = 1e9;
+constexpr double health_min = -0.30, health_max = 0.10;
+
+template <class Names>
+std::vector<std::string> list_of(const Names& names) {
+  std::vector<std::string> list;
+  for (const auto& n : names) {
+    if constexpr (requires { n.name; })
+      list.emplace_back(n.name);
+    else
+      list.emplace_back(n);
+  }
+  return list;
+}
+
+std::size_t index_in(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+void for_each_table(const std::string& file, const std::string& name, const toml::array& array,
+                    const std::function<void(TableReader&)>& read) {
+  for (const auto& element : array) {
+    TableReader reader(file, name, *element.as_table());
+    read(reader);
+    reader.finish();
+  }
+}
+
+void declare_tables(Schema& schema, Scenario& s) {
+  static const auto health = list_of(health_names);
+  static const auto sensors = list_of(sensor_names);
+  static const std::vector<std::string> kinds{"bias", "drift", "stuck", "dropout", "noise"};
+  schema.tables("profile", "flight and fan speed over time: time_s, n1_rpm, and optionally altitude_m, mach, delta_isa_k",
+                [&s](const std::string& file, const toml::array& array) {
+                  for_each_table(file, "profile", array, [&](TableReader& t) {
+                    const FlightCondition before = s.profile.empty() ? s.flight : s.profile.back().flight;
+                    s.profile.push_back({t.real("time_s", 0, far_future_s),
+                                         {t.real_or("altitude_m", before.altitude_m, -500, 15000),
+                                          t.real_or("mach", before.mach, 0, 0.95),
+                                          t.real_or("delta_isa_k", before.delta_isa_k, -60, 60)},
+                                         t.real("n1_rpm", 500, 5000)});
+                  });
+                });
+  schema.tables("wear", "wear at the start and its drift: parameter, initial, drift_per_hour (fractions, negative is lost)",
+                [&s](const std::string& file, const toml::array& array) {
+                  for_each_table(file, "wear", array, [&](TableReader& t) {
+                    Wear& wear = s.wear[index_in(health, t.choice("parameter", health))];
+                    wear.initial = t.real_or("initial", 0.0, health_min, health_max);
+                    wear.drift_per_s = t.real_or("drift_per_hour", 0.0, -10, 10) / 3600.0;
+                  });
+                });
+  schema.tables("health_change", "a change of health in flight: time_s, parameter, change, ramp_s",
+                [&s](const std::string& file, const toml::array& array) {
+                  for_each_table(file, "health_change", array, [&](TableReader& t) {
+                    s.health_changes.push_back({t.real("time_s", 0, far_future_s),
+                                                index_in(health, t.choice("parameter", health)),
+                                                t.real("change", health_min, health_max),
+                                                t.real_or("ramp_s", 0.0, 0, far_future_s)});
+                  });
+                });
+  schema.tables("sensor_fault", "a sensor fault: time_s, sensor, kind, magnitude (sensor's unit, per second for drift, factor for noise), duration_s (0: for good)",
+                [&s](const std::string& file, const toml::array& array) {
+                  for_each_table(file, "sensor_fault", array, [&](TableReader& t) {
+                    ScheduledFault f;
+                    f.sensor = index_in(sensors, t.choice("sensor", sensors));
+                    f.fault.kind = static_cast<FaultKind>(1 + index_in(kinds, t.choice("kind", kinds)));
+                    f.fault.start_s = t.real("time_s", 0, far_future_s);
+                    f.fault.duration_s = t.real_or("duration_s", 0.0, 0, far_future_s);
+                    f.fault.magnitude = t.real_or("magnitude", 0.0, -1e9, 1e9);
+                    s.faults.push_back(f);
+                  });
+                });
+}
+
+void declare_sensors_and_control(Schema& schema, Scenario& s) {
+  auto& n = s.sensors;
+  schema.real("sensors.noise_speed_percent", n.noise_speed_percent, 0, 20, "percent", "noise of the speeds, of trim");
+  schema.real("sensors.noise_pressure_percent", n.noise_pressure_percent, 0, 20, "percent", "noise of the pressures, of trim");
+  schema.real("sensors.noise_temperature_percent", n.noise_temperature_percent, 0, 20, "percent", "noise of the temperatures, of trim");
+  schema.real("sensors.lag_speed_s", n.lag_speed_s, 0, 10, "s", "first-order lag of the speeds (AGTF30: 0.02)");
+  schema.real("sensors.lag_pressure_s", n.lag_pressure_s, 0, 10, "s", "first-order lag of the pressures (AGTF30: 0.04)");
+  schema.real("sensors.lag_temperature_s", n.lag_temperature_s, 0, 10, "s", "first-order lag of the temperatures (AGTF30: 0.7)");
+  schema.real("sensors.quantisation_percent", n.quantisation_percent, 0, 5, "percent", "smallest step of a reading, of trim");
+  auto& g = s.governor;
+  schema.real("governor.proportional", g.proportional, 0, 100, "", "relative fuel per relative fan speed error");
+  schema.real("governor.integral_per_s", g.integral_per_s, 0, 100, "1/s", "relative fuel per relative fan speed error and second");
+  schema.real("governor.slew_per_s", g.slew_per_s, 0.001, 10, "1/s", "fastest change of fuel flow, of its trim");
+  schema.real("governor.fuel_min_of_trim", g.fuel_min_of_trim, 0.05, 1, "", "least fuel flow, of its trim");
+  schema.real("governor.fuel_max_of_trim", g.fuel_max_of_trim, 1, 2, "", "largest fuel flow, of its trim");
+}
+
+}  // namespace
+
+void declare(Schema& schema, SimConfig& c) {
+  Scenario& s = c.scenario;
+  schema.integer("engine.id", s.engine_id, 1, 4294967295, "", "key of this engine on the wire");
+  schema.integer("engine.source_id", s.source_id, 1, 4294967295, "", "who measures: identifies this source on the wire");
+  schema.real("run.sample_time_s", s.sample_time_s, 0.001, 1, "s", "time between samples");
+  schema.real("run.duration_s", s.duration_s, 0, far_future_s, "s", "simulated time to fly; 0: until stopped");
+  schema.integer("run.seed", s.seed, 0, 9223372036854775807, "", "of the sensor noise; the same seed gives the same readings");
+  schema.text("run.rate", c.rate, "times real time, 0.01 to 1000, or max: as fast as a monitor answers, losing nothing");
+  schema.integer("run.lockstep_window", c.lockstep_window, 1, 128, "samples", "how many samples may be unanswered at rate max");
+  schema.integer("run.wait_for_monitors", c.wait_for_monitors, 0, 64, "", "start the flight when so many readers of EngineSensors have matched");
+  schema.real("flight.altitude_m", s.flight.altitude_m, -500, 15000, "m", "pressure altitude at the start");
+  schema.real("flight.mach", s.flight.mach, 0, 0.95, "", "flight Mach number at the start");
+  schema.real("flight.delta_isa_k", s.flight.delta_isa_k, -60, 60, "K", "ambient temperature above the standard atmosphere");
+  schema.choice("demand.kind", c.demand_kind, {"t40_k", "n1_rpm", "net_thrust_n", "fuel_flow_kg_s"}, "what demand.value is, for the new engine");
+  schema.real("demand.value", s.demand.value, 0, 1e6, "by kind", "demand at the start; the governor holds the fan speed that it gives");
+  declare_sensors_and_control(schema, s);
+  schema.integer("dds.domain", c.domain, 0, 232, "", "DDS domain");
+  schema.text("dds.partition", c.partition, "DDS partition, fleet/<group>; empty is the default partition");
+  schema.text("dds.profiles_file", c.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
+  schema.text("dds.profile", c.profile, "participant profile to take from dds.profiles_file");
+  schema.choice("log.level", c.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
+  declare_tables(schema, s);
+}
+
+double SimConfig::rate_factor() const {
+  if (rate == "max") return 0.0;
+  double factor = 0.0;
+  const auto [end, error] = std::from_chars(rate.data(), rate.data() + rate.size(), factor);
+  if (error != std::errc() || end != rate.data() + rate.size() || !(factor >= 0.01 && factor <= 1000.0))
+    throw ConfigError("'run.rate' is '" + rate + "', allowed is a number from 0.01 to 1000, or max");
+  return factor;
+}
+
+void finish_config(SimConfig& c) {
+  c.rate_factor();
+  c.scenario.demand.kind = c.demand_kind == "t40_k"          ? DemandKind::t40_k
+                           : c.demand_kind == "n1_rpm"       ? DemandKind::n1_rpm
+                           : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n
+                                                             : DemandKind::fuel_flow_kg_s;
+  const auto& p = c.scenario.profile;
+  for (std::size_t i = 1; i < p.size(); ++i)
+    if (!(p[i].time_s > p[i - 1].time_s))
+      throw ConfigError("'profile.time_s' is " + config::number_text(p[i].time_s) + " after " +
+                        config::number_text(p[i - 1].time_s) + ", allowed are rising times");
+}
+
+}  // namespace ehm::engine

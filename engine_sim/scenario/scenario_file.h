@@ -1,0 +1,41 @@
+#pragma once
+// The scenario file (TOML) and everything else that configures engine_sim, through the one schema.
+//
+//   [engine] id, source_id        [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
+//   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
+//   [sensors] noise, lag, quantisation          [governor] gains and limits       [dds] domain, partition, profiles
+//   [[profile]] time_s, n1_rpm, altitude_m, mach, delta_isa_k
+//   [[wear]] parameter, initial, drift_per_hour
+//   [[health_change]] time_s, parameter, change, ramp_s
+//   [[sensor_fault]] time_s, sensor, kind, magnitude, duration_s
+//
+// @throws config::ConfigError with file, line, key, value, allowed range.
+
+#include <cstdint>
+#include <string>
+
+#include "deploy/config/schema.h"
+#include "engine_sim/scenario/scenario.h"
+
+namespace ehm::engine {
+
+struct SimConfig {
+  Scenario scenario;
+  std::string demand_kind = "t40_k";
+  std::string rate = "1";             ///< times real time, or "max": lockstep with the monitor
+  std::int64_t lockstep_window = 16;  ///< samples that may be unanswered under "max"
+  std::int64_t wait_for_monitors = 0;
+  std::int64_t domain = 0;
+  std::string partition, profiles_file, profile = "ehm_participant";
+  std::string log_level = "info";
+
+  /// Rate as a number; 0 for "max".
+  double rate_factor() const;
+};
+
+/// Declares every key of `config`; load the schema, then call finish_config.
+void declare(config::Schema& schema, SimConfig& config);
+/// Checks what no single key can tell: demand kind, rate, order of the profile.
+void finish_config(SimConfig& config);
+
+}  // namespace ehm::engine

@@ -1,0 +1,55 @@
+#pragma once
+// One sensor: lag -> fault -> noise -> quantisation, in the order in which a real channel does it.
+//
+//   lag           s[k] = s[k-1] + (1 - exp(-dt/tau)) (truth[k] - s[k-1]),  tau = 0: none
+//   bias          + magnitude                       unit
+//   drift         + magnitude * time since start    unit per second
+//   noise         sigma * n * (fault factor)
+//   stuck         repeats the last delivered value
+//   dropout       NaN, not valid
+//   quantisation  round to the next multiple of step, 0: none
+
+#include <optional>
+
+#include "engine_sim/sensors/noise_source.h"
+
+namespace ehm::engine {
+
+enum class FaultKind { none, bias, drift, stuck, dropout, noise };
+
+struct SensorFault {
+  FaultKind kind = FaultKind::none;
+  double magnitude = 0.0;
+  double start_s = 0.0;
+  double duration_s = 0.0;  ///< 0: until cleared
+  bool active(double time_s) const {
+    return kind != FaultKind::none && time_s >= start_s && (duration_s <= 0.0 || time_s < start_s + duration_s);
+  }
+};
+
+struct SensorOptions {
+  double noise_sigma = 0.0;  ///< the sensor's unit
+  double lag_s = 0.0;
+  double step = 0.0;
+};
+
+struct Reading {
+  double value = 0.0;
+  bool valid = true;
+};
+
+class Sensor {
+ public:
+  explicit Sensor(const SensorOptions& options) : options_(options) {}
+
+  Reading read(double truth, double time_s, double dt_s, NoiseSource& noise);
+  void inject(const SensorFault& fault) { fault_ = fault; }
+
+ private:
+  SensorOptions options_;
+  SensorFault fault_;
+  std::optional<double> lagged_;
+  std::optional<double> delivered_;
+};
+
+}  // namespace ehm::engine

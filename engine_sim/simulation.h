@@ -1,0 +1,60 @@
+#pragma once
+// One simulated engine in flight: profile -> governor -> gas path -> sensors, one sample after another. No clock, no DDS.
+//
+// Sample k is taken at t = k dt. The fuel flow of sample k acts from t to t + dt, and its direct effect on pressures and
+// temperatures is in the readings of sample k: u[k] of THEORY.md section 4.
+// @throws SolveError when the engine cannot run as demanded (the message names the balance that does not close).
+
+#include <array>
+#include <cstdint>
+
+#include "engine_sim/model/transient.h"
+#include "engine_sim/scenario/deterioration.h"
+#include "engine_sim/scenario/flight_profile.h"
+#include "engine_sim/scenario/scenario.h"
+
+namespace ehm::engine {
+
+struct SimSample {
+  std::uint64_t sequence = 0;
+  double time_s = 0.0;
+  FlightCondition flight;
+  double fuel_flow_kg_s = 0.0;
+  std::array<Reading, sensor_count> readings{};
+  HealthVector health{};
+  std::array<double, auxiliary_count> auxiliary{};
+};
+
+class Simulation {
+ public:
+  explicit Simulation(const Scenario& scenario);
+
+  /// The next sample; the first is at t = 0 with the engine in balance.
+  SimSample next();
+
+  double time_s() const { return static_cast<double>(sequence_) * scenario_.sample_time_s; }
+  /// New engine at the start of the flight: trim of the sensors' noise, and of the description.
+  const GasPath& nominal() const { return nominal_.gas; }
+  double noise_sigma(std::size_t sensor) const { return sensors_.noise_sigma(sensor); }
+
+  void demand(double n1_rpm) { profile_.override_demand(n1_rpm); }
+  void fly(const FlightCondition& flight) { profile_.override_flight(flight); }
+  void change_health(const HealthChange& change) { deterioration_.add(change); }
+  HealthVector health() const { return deterioration_.at(time_s()); }
+  void inject(std::size_t sensor, const SensorFault& fault) { sensors_.inject(sensor, fault); }
+
+ private:
+  Scenario scenario_;
+  Turbofan turbofan_;
+  SteadyPoint nominal_;
+  FlightProfile profile_;
+  Deterioration deterioration_;
+  SteadyPoint start_;
+  Transient transient_;
+  FuelGovernor governor_;
+  SensorSuite sensors_;
+  std::vector<ScheduledFault> pending_faults_;
+  std::uint64_t sequence_ = 0;
+};
+
+}  // namespace ehm::engine

@@ -1,0 +1,44 @@
+#pragma once
+// From single bad values to a verdict on the sensor, with hysteresis and requalification time:
+//
+//   trusted --bad value--> bridged --bridge_samples bad in a row--> excluded --requalify_samples good in a row--> trusted
+//   bridged --good value--> trusted                                 excluded --bad value--> the count starts anew
+//
+// Real-time safe: yes.
+
+#include <cstdint>
+
+#include "monitor/options.h"
+
+namespace ehm::monitor {
+
+class Qualification {
+ public:
+  enum class State { trusted, bridged, excluded };
+
+  /// Takes the verdict on one sample; returns the state after it.
+  State observe(bool good, const CheckOptions& options) noexcept {
+    if (state_ == State::excluded) {
+      run_ = good ? run_ + 1 : 0;
+      if (run_ >= options.requalify_samples) become(State::trusted);
+    } else if (good) {
+      become(State::trusted);
+    } else {
+      state_ = State::bridged;
+      if (++run_ > options.bridge_samples) become(State::excluded);
+    }
+    return state_;
+  }
+  State state() const noexcept { return state_; }
+  void reset() noexcept { become(State::trusted); }
+
+ private:
+  void become(State state) noexcept {
+    state_ = state;
+    run_ = 0;
+  }
+  State state_ = State::trusted;
+  std::int64_t run_ = 0;  ///< bad values while bridged, good ones while excluded
+};
+
+}  // namespace ehm::monitor

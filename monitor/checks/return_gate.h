@@ -1,0 +1,38 @@
+#pragma once
+// May an excluded sensor come back? Its value must fit what the filter predicts without it.
+//
+// The prediction without the sensor is biased by what only that sensor saw, so a fault of ten noise sigmas could hide in
+// it. But at the moment of exclusion the full filter still predicted the sensor well: that offset is kept,
+//   offset = (C xhat)_full,i - (C xhat)_without,i,      nu_return = nu_i - offset,
+// and its variance grows from the full filter's innovation variance to the biased one over an hour, the time in which
+// wear may have moved. A health shift in between makes the offset worthless, and the wide variance holds at once.
+// Real-time safe: yes.
+
+#include <algorithm>
+
+namespace ehm::monitor {
+
+class ReturnGate {
+ public:
+  void start(double offset, double narrow_variance, double wide_variance) noexcept {
+    offset_ = offset;
+    narrow_ = narrow_variance;
+    wide_ = std::max(wide_variance, narrow_variance);
+    age_s_ = 0.0;
+  }
+  void health_shifted() noexcept { age_s_ = memory_s; }
+  void step(double dt_s) noexcept { age_s_ = std::min(memory_s, age_s_ + dt_s); }
+
+  /// nu_return^2 / (gate^2 variance); above 1 the sensor must wait.
+  double ratio(double innovation, double gate_sigma) const noexcept {
+    const double share = age_s_ / memory_s;
+    const double deviation = innovation - (1.0 - share) * offset_;
+    return deviation * deviation / (gate_sigma * gate_sigma * (narrow_ + share * (wide_ - narrow_)));
+  }
+
+ private:
+  static constexpr double memory_s = 3600.0;
+  double offset_ = 0.0, narrow_ = 1.0, wide_ = 1.0, age_s_ = 0.0;
+};
+
+}  // namespace ehm::monitor

@@ -1,0 +1,53 @@
+#include "monitor/checks/sample_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "idl/wire_values.h"
+
+namespace ehm::monitor {
+
+bool SampleCheck::malformed(const Sample& s) const noexcept {
+  if (s.schema != wire::schema_version) return true;
+  if (s.sensor_count != static_cast<std::uint32_t>(sensors_)) return true;
+  if (s.actuator_count != static_cast<std::uint32_t>(actuators_)) return true;
+  if (!std::isfinite(s.flight.altitude_m) || !std::isfinite(s.flight.mach) || !std::isfinite(s.flight.delta_isa_k))
+    return true;
+  // Without the actuators no prediction is possible; a sensor, in contrast, may be missing.
+  return !std::all_of(s.actuator.begin(), s.actuator.begin() + actuators_, [](double a) { return std::isfinite(a); });
+}
+
+SampleDecision SampleCheck::restart(const Sample& s, double jump_s) noexcept {
+  const SampleVerdict verdict = started_ ? SampleVerdict::restarted : SampleVerdict::first;
+  started_ = true;
+  last_sequence_ = s.sequence;
+  last_time_ns_ = s.source_time_ns;
+  return {verdict, 1, 0, jump_s};
+}
+
+SampleDecision SampleCheck::decide(const Sample& s) noexcept {
+  if (malformed(s)) return {SampleVerdict::malformed};
+  if (!started_) return restart(s, 0.0);
+
+  const double dt_s = 1e-9 * static_cast<double>(s.source_time_ns - last_time_ns_);
+  if (dt_s < -options_.restart_gap_s) return restart(s, dt_s);  // time jumped backwards: a replay began
+  if (s.sequence == last_sequence_) return {SampleVerdict::duplicate};
+  if (s.sequence < last_sequence_) {
+    // Later by its clock but lower in number: the source itself started anew. Otherwise it was overtaken on the way.
+    return dt_s > 0.0 ? restart(s, dt_s) : SampleDecision{SampleVerdict::reordered};
+  }
+  if (dt_s <= 0.0) return {SampleVerdict::reordered};
+  if (dt_s > options_.restart_gap_s) {
+    const std::uint64_t lost = s.sequence - last_sequence_ - 1;
+    SampleDecision decision = restart(s, dt_s);
+    decision.lost = lost;
+    return decision;
+  }
+  const std::uint64_t ahead = s.sequence - last_sequence_;
+  const auto bound = static_cast<std::uint64_t>(options_.restart_gap_s / sample_time_s_) + 1;
+  last_sequence_ = s.sequence;
+  last_time_ns_ = s.source_time_ns;
+  return {SampleVerdict::accepted, static_cast<int>(std::min(ahead, bound)), ahead - 1, 0.0};
+}
+
+}  // namespace ehm::monitor

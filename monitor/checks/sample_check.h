@@ -1,0 +1,48 @@
+#pragma once
+// Is this sample usable at all, and where does it belong in time? Order comes from the sequence number, dt from the
+// source's own clock; the source's clock is never compared with ours.
+//
+//   accepted       next in order, `steps` sample times after the last one (1: none lost)
+//   first          the filter starts here
+//   restarted      the source started anew, or time jumped by more than restart_gap_s: the filter restarts here
+//   duplicate, reordered, malformed: dropped and counted
+//
+// Real-time safe: yes.
+
+#include <cstdint>
+
+#include "monitor/options.h"
+#include "monitor/sample.h"
+
+namespace ehm::monitor {
+
+enum class SampleVerdict { first, accepted, restarted, duplicate, reordered, malformed };
+
+struct SampleDecision {
+  SampleVerdict verdict = SampleVerdict::malformed;
+  int steps = 1;            ///< filter predictions to make; more than 1 after a loss
+  std::uint64_t lost = 0;   ///< samples missing before this one
+  double jump_s = 0.0;      ///< why restarted
+};
+
+class SampleCheck {
+ public:
+  SampleCheck(const CheckOptions& options, int sensors, int actuators, double sample_time_s)
+      : options_(options), sensors_(sensors), actuators_(actuators), sample_time_s_(sample_time_s) {}
+
+  SampleDecision decide(const Sample& sample) noexcept;
+  void reset() noexcept { started_ = false; }
+
+ private:
+  bool malformed(const Sample& sample) const noexcept;
+  SampleDecision restart(const Sample& sample, double jump_s) noexcept;
+
+  CheckOptions options_;
+  int sensors_, actuators_;
+  double sample_time_s_;
+  bool started_ = false;
+  std::uint64_t last_sequence_ = 0;
+  std::int64_t last_time_ns_ = 0;
+};
+
+}  // namespace ehm::monitor

@@ -1,0 +1,42 @@
+#pragma once
+// Everything that configures the monitor, through the one schema.
+//
+// @throws config::ConfigError with file, line, key, value, allowed range.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "deploy/config/schema.h"
+#include "monitor/options.h"
+
+namespace ehm::monitor {
+
+/// Which design flies for which engines; without [[engine]] tables every engine flies monitor.design.
+struct EngineAssignment {
+  std::vector<std::int64_t> ids;
+  std::string design;
+};
+
+struct MonitorConfig {
+  std::string design;
+  std::vector<EngineAssignment> engines;
+  std::int64_t source_id = 101;
+  std::int64_t max_engines = 16;
+  double status_period_s = 1.0;
+  std::string clock = "monotonic";
+  CycleOptions cycle;
+
+  std::int64_t domain = 0;
+  std::string partition, profiles_file, profile = "ehm_participant";
+  std::string ownership = "shared";
+  std::int64_t ownership_strength = 1;
+  std::string log_level = "info";
+};
+
+/// Declares every key of `config`; load the schema, then call finish_config.
+void declare(config::Schema& schema, MonitorConfig& config);
+/// Checks what no single key can tell: some design is named, no engine twice.
+void finish_config(const MonitorConfig& config);
+
+}  // namespace ehm::monitor

@@ -1,0 +1,160 @@
+#include "monitor/cycle_thread.h"
+
+#include <algorithm>
+
+#include "idl/wire_values.h"
+#include "monitor/dds/convert.h"
+#include "monitor/realtime/clock.h"
+
+namespace ehm::monitor {
+
+using wire::StatusLevel;
+
+namespace {
+constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
+}
+
+CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
+                         ReportQueue& reports)
+    : source_id_(static_cast<std::uint32_t>(config.source_id)),
+      source_clock_(config.clock == "source"),
+      status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
+      start_ns_(monotonic_ns()),
+      engines_(engines),
+      reports_(reports),
+      sensors_(participant),
+      commands_(participant),
+      health_(participant),
+      auxiliary_(participant),
+      residuals_(participant) {
+  wait_set_.attach_condition(sensors_.condition());
+  wait_set_.attach_condition(commands_.condition());
+  triggered_.reserve(2);
+}
+
+void CycleThread::run_once() {
+  wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(longest_wait_s)));
+  while (sensors_.take(incoming_)) handle(incoming_, sensors_.received_ns());
+  MonitorCommand command;
+  while (commands_.take(command)) obey(command);
+  watch_input();
+}
+
+void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
+  EngineSlot* slot = engines_.find(sensors.engine_id());
+  if (!slot) {
+    // Said once a thousand: a stray source must not fill the log.
+    if (unknown_engine_samples_++ % 1000 == 0)
+      reports_.push({Report::Kind::unknown_engine, sensors.engine_id(), nullptr, {}, unknown_engine_samples_, 0, {}});
+    return;
+  }
+  if (slot->received_ns == 0)
+    reports_.push({Report::Kind::new_engine, slot->engine_id, &slot->cycle.design(), {}, 0, 0, {}});
+  slot->received_ns = monotonic_ns();
+  convert(sensors, slot->sample);
+  const CycleResult& result = slot->cycle.process(slot->sample);
+  publish(*slot, result, arrival_ns);
+  report_events(*slot);
+}
+
+void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
+  const Stamp stamp{slot.engine_id, source_id_, slot.sample.sequence, slot.sample.source_time_ns, wall_clock_ns()};
+  if (result.estimates) {
+    convert(slot.cycle, result, stamp, health_sample_);
+    health_.write(health_sample_);
+    convert(slot.cycle, result, stamp, auxiliary_sample_);
+    auxiliary_.write(auxiliary_sample_);
+    const double latency_us = std::max(0.0, 1e-3 * static_cast<double>(wall_clock_ns() - arrival_ns));
+    slot.latency.record(latency_us);
+    slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
+  }
+  if (result.residuals) {
+    convert(slot.cycle, result, stamp, residuals_sample_);
+    residuals_.write(residuals_sample_);
+  }
+}
+
+void CycleThread::obey(const MonitorCommand& command) {
+  if (command.schema() != wire::schema_version) return;
+  if (command.kind() != static_cast<std::uint32_t>(wire::MonitorCommandKind::reset)) return;
+  engines_.for_each([&](EngineSlot& slot) {
+    if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
+    slot.cycle.reset();
+    report_events(slot);
+  });
+}
+
+void CycleThread::watch_input() {
+  const std::int64_t now_ns = monotonic_ns();
+  engines_.for_each([&](EngineSlot& slot) {
+    const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
+    if (!source_clock_) {
+      slot.cycle.no_input(1e-9 * static_cast<double>(now_ns - last_ns));
+      report_events(slot);
+    }
+    const StatusLevel level = level_of(slot);
+    if (now_ns - slot.status_ns >= status_period_ns_ || static_cast<std::uint32_t>(level) != slot.status_level)
+      report_status(slot, level, now_ns);
+  });
+}
+
+void CycleThread::report_events(EngineSlot& slot) {
+  for (const Event& event : slot.cycle.events())
+    reports_.push({Report::Kind::event, slot.engine_id, &slot.cycle.design(), event, slot.sample.sequence,
+                   slot.sample.source_time_ns, {}});
+  slot.cycle.clear_events();
+}
+
+StatusLevel CycleThread::level_of(const EngineSlot& slot) const {
+  namespace flag = wire::estimate_flag;
+  if (slot.cycle.stale() || slot.received_ns == 0) return StatusLevel::stale;
+  const CycleResult& result = slot.cycle.last_result();
+  if (!result.estimates) return StatusLevel::error;
+  const CycleCounters &now = slot.cycle.counters(), &before = slot.status_counters;
+  const bool troubled = now.lost != before.lost || now.malformed != before.malformed || now.reordered != before.reordered;
+  const bool restricted = (result.flags & (flag::degraded | flag::shifted)) != 0;
+  return troubled || restricted ? StatusLevel::warn : StatusLevel::ok;
+}
+
+void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
+  const CycleCounters& c = slot.cycle.counters();
+  const double since_s = 1e-9 * static_cast<double>(now_ns - slot.status_ns);
+  Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
+  MonitorStatus& s = report.status;
+  s.engine_id(slot.engine_id);
+  s.source_id(source_id_);
+  s.schema(wire::schema_version);
+  s.level(static_cast<std::uint32_t>(level));
+  s.last_sequence(slot.sample.sequence);
+  s.status_time_ns(wall_clock_ns());
+  s.samples_received(c.received);
+  s.samples_processed(c.processed);
+  s.samples_lost(c.lost);
+  s.samples_duplicated(c.duplicated);
+  s.samples_reordered(c.reordered);
+  s.samples_malformed(c.malformed);
+  s.samples_withheld(c.withheld);
+  s.sensor_rejections(c.sensor_rejections);
+  s.filter_restarts(c.restarts);
+  s.events_raised(slot.cycle.events().raised_total());
+  s.unknown_engine_samples(unknown_engine_samples_);
+  s.deadline_misses(slot.deadline_misses);
+  s.age_s(1e-9 * static_cast<double>(now_ns - (slot.received_ns != 0 ? slot.received_ns : start_ns_)));
+  s.rate_hz(slot.status_ns == 0 ? 0.0 : static_cast<double>(c.received - slot.status_received) / since_s);
+  s.latency_p50_us(slot.latency.percentile_us(0.50));
+  s.latency_p99_us(slot.latency.percentile_us(0.99));
+  s.latency_max_us(slot.latency.max_us());
+  s.sensors_used(static_cast<std::uint32_t>(slot.cycle.last_result().sensors_used.to_ulong()));
+  s.flags(slot.cycle.last_result().flags);
+  if (!reports_.push(report)) return;  // tried again at the next turn
+  slot.status_ns = now_ns;
+  slot.status_received = c.received;
+  slot.status_level = static_cast<std::uint32_t>(level);
+  slot.status_counters = c;
+}
+
+void CycleThread::say_stopped() {
+  engines_.for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
+}
+
+}  // namespace ehm::monitor

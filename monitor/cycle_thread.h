@@ -1,0 +1,53 @@
+#pragma once
+// The real-time side of the service: takes each sample as it arrives, runs its engine's cycle, writes the estimates, and
+// watches for input that stays away. Logs, events and status go to the reporter through a bounded queue.
+
+#include <fastdds/dds/core/condition/WaitSet.hpp>
+
+#include "idl/dds/endpoint.h"
+#include "monitor/engine_table.h"
+#include "monitor/report.h"
+
+namespace ehm::monitor {
+
+class CycleThread {
+ public:
+  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports);
+
+  /// Waits for input for one period at most, and handles what has come. Call until the service stops.
+  void run_once();
+  /// Tells every engine's subscribers that this monitor stops in order.
+  void say_stopped();
+
+ private:
+  void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
+  void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
+  void obey(const MonitorCommand& command);
+  void watch_input();
+  void report_events(EngineSlot& slot);
+  void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
+  wire::StatusLevel level_of(const EngineSlot& slot) const;
+
+  std::uint32_t source_id_;
+  bool source_clock_;
+  std::int64_t status_period_ns_;
+  std::int64_t start_ns_;
+  EngineTable& engines_;
+  ReportQueue& reports_;
+  std::uint64_t unknown_engine_samples_ = 0;
+
+  wire::Reader<EngineSensors> sensors_;
+  wire::Reader<MonitorCommand> commands_;
+  wire::Writer<EngineHealth> health_;
+  wire::Writer<EngineAuxiliary> auxiliary_;
+  wire::Writer<EngineResiduals> residuals_;
+  eprosima::fastdds::dds::WaitSet wait_set_;
+  eprosima::fastdds::dds::ConditionSeq triggered_;
+
+  EngineSensors incoming_;
+  EngineHealth health_sample_;
+  EngineAuxiliary auxiliary_sample_;
+  EngineResiduals residuals_sample_;
+};
+
+}  // namespace ehm::monitor

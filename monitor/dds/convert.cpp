@@ -1,0 +1,117 @@
+#include "monitor/dds/convert.h"
+
+#include <algorithm>
+
+#include "idl/wire_values.h"
+
+namespace ehm::monitor {
+
+static_assert(estimation::max_sensors == EHM_MAX_SENSORS && estimation::max_health == EHM_MAX_HEALTH &&
+              estimation::max_auxiliary == EHM_MAX_AUXILIARY && estimation::max_actuators == EHM_MAX_ACTUATORS &&
+              estimation::max_tuners <= EHM_MAX_SENSORS);
+
+namespace {
+
+std::uint32_t bits(const estimation::SensorMask& mask) noexcept { return static_cast<std::uint32_t>(mask.to_ulong()); }
+
+template <class Vector, class Array>
+void copy(const Vector& from, Array& to) noexcept {
+  to.fill(0.0);
+  std::copy(from.data(), from.data() + from.size(), to.begin());
+}
+
+template <class Wire>
+void stamp_with(Wire& wire, const Stamp& stamp) noexcept {
+  wire.engine_id(stamp.engine_id);
+  wire.schema(wire::schema_version);
+  wire.sequence_number(stamp.sequence);
+  wire.source_time_ns(stamp.source_time_ns);
+  wire.source_id(stamp.source_id);
+}
+
+ChannelDescription channel(const estimation::Channel& from, double sigma) {
+  ChannelDescription to;
+  to.name() = from.name.c_str();
+  to.unit() = from.unit.c_str();
+  to.trim(from.trim);
+  to.sigma(sigma);
+  return to;
+}
+
+}  // namespace
+
+void convert(const EngineSensors& wire, Sample& sample) noexcept {
+  sample.schema = wire.schema();
+  sample.sequence = wire.sequence_number();
+  sample.source_time_ns = wire.source_time_ns();
+  sample.flight = {wire.altitude_m(), wire.mach(), wire.delta_isa_k()};
+  sample.sensor_valid = wire.sensor_valid();
+  sample.sensor_count = wire.sensor_count();
+  sample.actuator_count = wire.actuator_count();
+  std::copy(wire.actuator().begin(), wire.actuator().end(), sample.actuator.begin());
+  std::copy(wire.sensor().begin(), wire.sensor().end(), sample.sensor.begin());
+}
+
+void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineHealth& wire) noexcept {
+  stamp_with(wire, stamp);
+  wire.publish_time_ns(stamp.publish_time_ns);
+  wire.sensors_used(bits(result.sensors_used));
+  wire.flags(result.flags);
+  const auto& filter = cycle.filter();
+  const auto tuners = filter.tuners();
+  wire.health_count(static_cast<std::uint32_t>(filter.health().size()));
+  wire.tuner_count(static_cast<std::uint32_t>(tuners.size()));
+  copy(filter.health(), wire.health());
+  copy(cycle.error().health_sigma(), wire.sigma_total());
+  copy(filter.health_sigma_filter(), wire.sigma_filter());
+  copy(tuners, wire.tuner());
+}
+
+void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineAuxiliary& wire) noexcept {
+  stamp_with(wire, stamp);
+  wire.publish_time_ns(stamp.publish_time_ns);
+  wire.sensors_used(bits(result.sensors_used));
+  wire.flags(result.flags);
+  const auto& filter = cycle.filter();
+  wire.auxiliary_count(static_cast<std::uint32_t>(filter.auxiliary().size()));
+  copy(filter.auxiliary(), wire.auxiliary());
+  copy(cycle.error().auxiliary_sigma(), wire.sigma_total());
+  copy(filter.auxiliary_sigma_filter(), wire.sigma_filter());
+}
+
+void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineResiduals& wire) noexcept {
+  stamp_with(wire, stamp);
+  const auto& filter = cycle.filter();
+  wire.sensor_count(static_cast<std::uint32_t>(filter.innovation().size()));
+  wire.rejected(bits(result.rejected));
+  wire.fused(bits(result.fused));
+  copy(filter.innovation(), wire.innovation());
+  copy(filter.innovation_variance(), wire.innovation_variance());
+  copy(result.ratio, wire.test_ratio());
+  std::copy(result.reason.begin(), result.reason.end(), wire.reason().begin());
+}
+
+EngineDescription describe(const design::Design& design, std::uint32_t engine_id, std::uint32_t source_id) {
+  const auto& model = design.model;
+  EngineDescription d;
+  d.engine_id(engine_id);
+  d.source_id(source_id);
+  d.role(static_cast<std::uint32_t>(wire::DescriptionRole::monitor));
+  d.schema(wire::schema_version);
+  d.engine_type() = model.engine_type.c_str();
+  d.design_hash() = design.hash.c_str();
+  d.sample_time_s(model.sample_time_s);
+  d.actuator_count(static_cast<std::uint32_t>(model.controls.size()));
+  for (std::size_t i = 0; i < model.controls.size(); ++i) d.actuators()[i] = channel(model.controls[i], 0.0);
+  d.sensor_count(static_cast<std::uint32_t>(model.sensors.size()));
+  for (std::size_t i = 0; i < model.sensors.size(); ++i)
+    d.sensors()[i] = channel(model.sensors[i], model.sensor_noise_sigma(static_cast<Eigen::Index>(i)));
+  d.health_count(static_cast<std::uint32_t>(model.health.size()));
+  for (std::size_t i = 0; i < model.health.size(); ++i)
+    d.health()[i] = channel(model.health[i], model.health_sigma(static_cast<Eigen::Index>(i)));
+  d.auxiliary_count(static_cast<std::uint32_t>(model.auxiliary.size()));
+  for (std::size_t i = 0; i < model.auxiliary.size(); ++i) d.auxiliary()[i] = channel(model.auxiliary[i], 0.0);
+  return d;
+}
+
+}  // namespace ehm::monitor

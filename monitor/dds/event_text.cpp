@@ -1,0 +1,67 @@
+#include "monitor/dds/event_text.h"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace ehm::monitor {
+
+namespace {
+
+const estimation::Channel* channel_of(const Event& e, const estimation::LinearModel& model) {
+  switch (e.kind) {
+    case wire::EventKind::sensor_fault: return &model.sensors.at(e.channel);
+    case wire::EventKind::health_shift:
+    case wire::EventKind::health_limit: return &model.health.at(e.channel);
+    case wire::EventKind::auxiliary_limit: return &model.auxiliary.at(e.channel);
+    default: return nullptr;
+  }
+}
+
+std::string reasons(std::uint32_t detail) {
+  namespace reason = wire::reject_reason;
+  constexpr std::pair<std::uint32_t, const char*> names[]{{reason::source_invalid, "marked invalid by its source"},
+                                                          {reason::not_finite, "not finite"},
+                                                          {reason::range, "out of range"},
+                                                          {reason::rate, "impossible rate"},
+                                                          {reason::stuck, "stuck"},
+                                                          {reason::innovation_gate, "outside the innovation gate"}};
+  std::string text;
+  for (const auto& [bit, name] : names)
+    if (detail & bit) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+}  // namespace
+
+std::string channel_name(const Event& event, const estimation::LinearModel& model) {
+  const auto* channel = channel_of(event, model);
+  return channel ? channel->name : std::string();
+}
+
+std::string event_text(const Event& e, const estimation::LinearModel& model) {
+  const auto* c = channel_of(e, model);
+  switch (e.kind) {
+    case wire::EventKind::sensor_fault:
+      return e.raised ? fmt::format("sensor {} is faulty ({}): the design without it flies", c->name, reasons(e.detail))
+                      : fmt::format("sensor {} is good again and used", c->name);
+    case wire::EventKind::health_shift:
+      return e.raised ? fmt::format("{} changed by {:+.4f} {} (noticeable from {:.4f})", c->name, e.value, c->unit, e.threshold)
+                      : fmt::format("{} has settled after its change", c->name);
+    case wire::EventKind::health_limit:
+    case wire::EventKind::auxiliary_limit:
+      return e.raised ? fmt::format("{} is {:.5g} {}, beyond its limit {:.5g}", c->name, e.value, c->unit, e.threshold)
+                      : fmt::format("{} is back inside its limit", c->name);
+    case wire::EventKind::input_lost:
+      return e.raised ? fmt::format("no sample for {:.3f} s, estimates are stale", e.value) : "samples arrive again";
+    case wire::EventKind::filter_restart:
+      return fmt::format("the filter started anew (the source's time or sequence jumped by {:.3f} s)", e.value);
+    case wire::EventKind::operating_point:
+      return e.raised ? fmt::format("the engine flies {:.2f} times farther from the design's point than it is valid: estimates are withheld", e.value)
+                      : "the engine is back at the design's point, the filter starts anew";
+    case wire::EventKind::no_design:
+      return e.raised ? fmt::format("{:.0f} sensors are faulty and no design flies without them: estimates are withheld", e.value)
+                      : "enough sensors are good again";
+  }
+  return "unknown event";
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,33 @@
+#pragma once
+// The engines that this monitor serves. All filters are made at start; an engine that nobody named takes a spare one of
+// the default design when its first sample comes, so that the cycle path never allocates.
+//
+// @throws design::FileError if a design file is bad; std::invalid_argument if an option does not fit a design.
+
+#include <memory>
+#include <vector>
+
+#include "monitor/config.h"
+#include "monitor/engine_slot.h"
+
+namespace ehm::monitor {
+
+class EngineTable {
+ public:
+  explicit EngineTable(const MonitorConfig& config);
+
+  /// The engine's slot; null for an engine that no design serves or that finds no spare filter. Real-time safe: yes.
+  EngineSlot* find(std::uint32_t engine_id) noexcept;
+  /// All slots in use.
+  template <class Visit>
+  void for_each(Visit&& visit) {
+    for (auto& slot : slots_)
+      if (slot->engine_id != 0) visit(*slot);
+  }
+  std::size_t size() const noexcept { return slots_.size(); }
+
+ private:
+  std::vector<std::unique_ptr<EngineSlot>> slots_;  // named engines first, then the spare ones
+};
+
+}  // namespace ehm::monitor

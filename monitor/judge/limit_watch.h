@@ -1,0 +1,33 @@
+#pragma once
+// Limits on estimates: raised when the estimate leaves [min, max], cleared when it is back inside by the hysteresis.
+//
+// @throws std::invalid_argument at construction if a limit names no health or auxiliary channel of the model.
+
+#include <vector>
+
+#include "monitor/estimation/capacity.h"
+#include "monitor/estimation/linear_model.h"
+#include "monitor/judge/events.h"
+#include "monitor/options.h"
+
+namespace ehm::monitor {
+
+class LimitWatch {
+ public:
+  LimitWatch(const std::vector<LimitOptions>& limits, const estimation::LinearModel& model);
+
+  /// Real-time safe: yes.
+  void judge(const estimation::HealthVector& health, const estimation::AuxiliaryVector& auxiliary,
+             EventList& events) noexcept;
+
+ private:
+  struct Limit {
+    wire::EventKind kind;
+    int channel;
+    double min, max, hysteresis;
+    Condition condition;
+  };
+  std::vector<Limit> limits_;
+};
+
+}  // namespace ehm::monitor

@@ -1,0 +1,115 @@
+#include "monitor/judge/shift_detector.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "monitor/estimation/steady_gain.h"
+
+namespace ehm::monitor {
+
+namespace {
+
+/// z with P(N > z) = tail, by bisection of the complementary error function.
+double normal_quantile_above(double tail) {
+  double low = 0.0, high = 40.0;
+  for (int i = 0; i < 80; ++i) {
+    const double z = 0.5 * (low + high);
+    (0.5 * std::erfc(z / std::sqrt(2.0)) > tail ? low : high) = z;
+  }
+  return low;
+}
+
+/// Wilson and Hilferty: chi-square with k degrees of freedom, at the quantile with normal deviate z.
+double chi_square_quantile(int k, double z) {
+  const double c = 2.0 / (9.0 * k);
+  return k * std::pow(1.0 - c + z * std::sqrt(c), 3);
+}
+
+}  // namespace
+
+ShiftDetector::Statistic ShiftDetector::make_statistic(const ShiftOptions& options, const design::Design& design,
+                                                       const design::SubsetDesign& subset) {
+  const auto model = estimation::scaled(design.model, design.scaling);
+  const auto steady = estimation::steady_gain(model);
+  const Eigen::MatrixXd scatter = 2.0 * subset.V * subset.health_noise_covariance * subset.V.transpose();
+  const Eigen::LLT<Eigen::MatrixXd> factor(scatter);
+  if (factor.info() != Eigen::Success)
+    throw std::invalid_argument("the design's noise covariance of the tuners is not positive definite");
+  const Eigen::MatrixXd H = steady.H(subset.sensors, Eigen::all);
+  const Eigen::MatrixXd response = (H * subset.W).partialPivLu().solve(H);  // column i is s_i
+
+  Statistic s;
+  const auto tuners = subset.V.rows();
+  s.information = factor.solve(Eigen::MatrixXd::Identity(tuners, tuners));
+  s.signature = factor.solve(response).transpose();
+  s.signature_information = (s.signature * response).diagonal();
+  const double looks_per_hour = 3600.0 / subset.slowest_time_constant_s;
+  s.threshold = chi_square_quantile(static_cast<int>(tuners),
+                                    normal_quantile_above(options.false_alarm_per_hour / looks_per_hour));
+  return s;
+}
+
+ShiftDetector::ShiftDetector(const ShiftOptions& options, const design::Design& design)
+    : full_(make_statistic(options, design, design.full)), health_scales_(design.scaling.health) {
+  for (const auto& subset : design.missing) {
+    missing_.emplace_back();
+    if (subset) missing_.back() = make_statistic(options, design, *subset);
+  }
+  active_ = &full_;
+  window_.resize(static_cast<std::size_t>(std::max(1.0, std::round(options.window_s / design.model.sample_time_s))));
+  persistence_samples_ = static_cast<std::int64_t>(std::round(options.persistence_s / design.model.sample_time_s));
+}
+
+void ShiftDetector::reset() noexcept {
+  next_ = filled_ = 0;
+  above_ = 0;
+}
+
+Event ShiftDetector::isolate(const estimation::TunerVector& change) const noexcept {
+  Eigen::Index best = 0;
+  double best_ratio = -1.0, best_size = 0.0;
+  for (Eigen::Index i = 0; i < active_->signature_information.size(); ++i) {
+    const double information = active_->signature_information(i);
+    if (!(information > 0.0)) continue;  // the sensors do not see this parameter
+    const double size = active_->signature.row(i).dot(change) / information;
+    if (const double ratio = size * size * information; ratio > best_ratio)
+      best = i, best_ratio = ratio, best_size = size;
+  }
+  const double scale = health_scales_(best);
+  const double least = std::sqrt(active_->threshold / active_->signature_information(best));
+  return {wire::EventKind::health_shift, static_cast<std::uint32_t>(best), true, scale * best_size, scale * least, 0};
+}
+
+void ShiftDetector::judge(const estimation::TunerVector& tuners, int missing, EventList& events) noexcept {
+  if (missing != active_missing_) {
+    active_missing_ = missing;
+    active_ = missing < 0 ? &full_ : &*missing_[static_cast<std::size_t>(missing)];
+    reset();
+  }
+  const estimation::TunerVector change = filled_ == window_.size() ? tuners - window_[next_] : estimation::TunerVector();
+  window_[next_] = tuners;
+  next_ = (next_ + 1) % window_.size();
+  if (filled_ < window_.size()) {
+    ++filled_;
+    return;
+  }
+
+  const double statistic = change.dot(active_->information.lazyProduct(change));
+  if (condition_.raised()) {
+    if (statistic < 0.5 * active_->threshold) {
+      above_ = 0;
+      condition_.set(false, named_, events);
+    }
+    return;
+  }
+  above_ = statistic > active_->threshold ? above_ + 1 : 0;
+  if (above_ > persistence_samples_) {
+    named_ = isolate(change);
+    condition_.set(true, named_, events);
+  }
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,256 @@
+#include "monitor/monitor_cycle.h"
+
+#include <limits>
+
+#include "idl/wire_values.h"
+#include "monitor/design/make_error_model.h"
+#include "monitor/design/make_filter.h"
+
+namespace ehm::monitor {
+
+namespace reason = wire::reject_reason;
+using estimation::SensorSet;
+
+namespace {
+
+std::vector<estimation::ErrorModel> make_error_models(const design::Design& design) {
+  std::vector<estimation::ErrorModel> models{design::make_error_model(design, design.full)};
+  for (const auto& subset : design.missing)
+    models.push_back(subset ? design::make_error_model(design, *subset) : estimation::ErrorModel{});
+  return models;
+}
+
+template <class Vector>
+Vector trims(const std::vector<estimation::Channel>& channels) {
+  Vector trim(static_cast<Eigen::Index>(channels.size()));
+  for (std::size_t i = 0; i < channels.size(); ++i) trim(static_cast<Eigen::Index>(i)) = channels[i].trim;
+  return trim;
+}
+
+}  // namespace
+
+MonitorCycle::MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options)
+    : design_(std::move(design)),
+      options_(options),
+      sensors_(static_cast<int>(design_->model.sensors.size())),
+      actuators_(static_cast<int>(design_->model.controls.size())),
+      error_models_(make_error_models(*design_)),
+      filter_(design::make_filter(*design_)),
+      error_(error_models_.front()),
+      sample_check_(options.checks, sensors_, actuators_, design_->model.sample_time_s),
+      sensor_check_(options.checks, design_->model),
+      qualification_(static_cast<std::size_t>(sensors_)),
+      validity_(options.validity, design_->model),
+      shift_(options.shift, *design_),
+      limits_(options.limits, design_->model),
+      dy_(sensors_),
+      sensor_trim_(trims<estimation::SensorVector>(design_->model.sensors)),
+      du_(actuators_),
+      du_previous_(actuators_),
+      actuator_trim_(trims<estimation::ActuatorVector>(design_->model.controls)),
+      sensor_fault_(static_cast<std::size_t>(sensors_)) {
+  result_.ratio.setZero(sensors_);
+}
+
+const CycleResult& MonitorCycle::process(const Sample& sample) noexcept {
+  ++counters_.received;
+  result_.residuals = result_.estimates = false;
+  SampleDecision decision;
+  if (!admit(sample, decision)) return result_;
+  check_sensors(sample, decision.steps);
+  const bool was_valid = valid_;
+  valid_ = validity_.judge(sample, events_);
+  if (!valid_) {
+    withhold();
+    return result_;
+  }
+  if (!was_valid) restart_filter();
+  predict(decision.steps);
+  gate();
+  qualify();
+  update();
+  choose_design();
+  judge();
+  return result_;
+}
+
+bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcept {
+  decision = sample_check_.decide(sample);
+  counters_.lost += decision.lost;
+  switch (decision.verdict) {
+    case SampleVerdict::malformed: ++counters_.malformed; return false;
+    case SampleVerdict::duplicate: ++counters_.duplicated; return false;
+    case SampleVerdict::reordered: ++counters_.reordered; return false;
+    case SampleVerdict::restarted: restart(decision.jump_s); break;
+    case SampleVerdict::first:
+    case SampleVerdict::accepted: break;
+  }
+  input_lost_.set(false, {wire::EventKind::input_lost, 0, false, 0.0, 0.0, 0}, events_);
+  for (int i = 0; i < actuators_; ++i) du_(i) = sample.actuator[static_cast<std::size_t>(i)] - actuator_trim_(i);
+  if (decision.verdict != SampleVerdict::accepted) du_previous_ = du_;
+  return true;
+}
+
+void MonitorCycle::restart_filter() noexcept {
+  filter_.reset();
+  error_.reset(error_models_.front());
+  shift_.reset();
+  du_previous_ = du_;
+}
+
+void MonitorCycle::restart(double jump_s) noexcept {
+  ++counters_.restarts;
+  restart_filter();
+  sensor_check_.reset();
+  for (auto& q : qualification_) q.reset();
+  for (std::size_t i = 0; i < sensor_fault_.size(); ++i)
+    sensor_fault_[i].set(false, {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false, 0.0, 0.0, 0},
+                         events_);
+  have_design_ = true;
+  no_design_.set(false, {wire::EventKind::no_design, 0, false, 0.0, 0.0, 0}, events_);
+  events_.push({wire::EventKind::filter_restart, 0, true, jump_s, options_.checks.restart_gap_s, 0});
+}
+
+void MonitorCycle::reset() noexcept {
+  restart(0.0);
+  sample_check_.reset();
+}
+
+void MonitorCycle::check_sensors(const Sample& sample, int steps) noexcept {
+  for (int i = 0; i < sensors_; ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    result_.reason[s] = sensor_check_.reasons(sample, i, steps);
+    const bool present = !(result_.reason[s] & (reason::source_invalid | reason::not_finite));
+    dy_(i) = present ? sample.sensor[s] - sensor_trim_(i) : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void MonitorCycle::withhold() noexcept {
+  ++counters_.withheld;
+  result_.residuals = true;
+  result_.fused.reset();
+  result_.rejected.reset();
+  for (int i = 0; i < sensors_; ++i) {
+    result_.rejected.set(static_cast<std::size_t>(i));
+    result_.reason[static_cast<std::size_t>(i)] |= reason::withheld;
+  }
+  result_.flags = estimate_flags();
+}
+
+void MonitorCycle::predict(int steps) noexcept {
+  // After a loss the actuators are taken as held, which is what they do between samples.
+  for (int k = 0; k < steps; ++k) filter_.predict(du_previous_);
+  du_previous_ = du_;
+  filter_.innovation(dy_, du_);
+}
+
+void MonitorCycle::gate() noexcept {
+  estimation::SensorMask plausible;
+  for (int i = 0; i < sensors_; ++i)
+    if (result_.reason[static_cast<std::size_t>(i)] == 0) plausible.set(static_cast<std::size_t>(i));
+  const GateDecision in_use = innovation_gate(filter_.innovation(), filter_.innovation_variance(),
+                                              plausible & filter_.sensors(), options_.checks.gate_sigma);
+  result_.ratio = in_use.ratio;
+  // Without a design there is no prediction worth comparing with: the checks alone requalify.
+  const int missing = filter_.sensor_set().missing();
+  if (have_design_ && missing >= 0) {
+    return_gate_.step(design_->model.sample_time_s);
+    if (shift_.raised()) return_gate_.health_shifted();
+    result_.ratio(missing) = return_gate_.ratio(filter_.innovation()(missing), options_.checks.gate_sigma);
+  }
+  for (int i = 0; i < sensors_; ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    const bool held_back = have_design_ && i == missing && plausible[s] && result_.ratio(i) > 1.0;
+    if (in_use.rejected[s] || held_back) result_.reason[s] |= reason::innovation_gate;
+  }
+}
+
+void MonitorCycle::qualify() noexcept {
+  for (int i = 0; i < sensors_; ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    const std::uint32_t why = result_.reason[s];
+    const bool excluded = qualification_[s].observe(why == 0, options_.checks) == Qualification::State::excluded;
+    sensor_fault_[s].set(excluded,
+                         {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false, result_.ratio(i), 1.0, why},
+                         events_);
+    if (excluded) result_.reason[s] |= reason::excluded;
+    counters_.sensor_rejections += result_.reason[s] != 0;
+  }
+}
+
+void MonitorCycle::update() noexcept {
+  result_.fused.reset();
+  result_.rejected.reset();
+  for (int i = 0; i < sensors_; ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    const bool fuse = result_.reason[s] == 0 && filter_.sensors()[s];
+    result_.fused[s] = fuse;
+    result_.rejected[s] = !fuse;
+  }
+  filter_.update(result_.fused);
+  error_.step();
+}
+
+void MonitorCycle::choose_design() noexcept {
+  int excluded = 0, missing = -1;
+  for (int i = 0; i < sensors_; ++i)
+    if (qualification_[static_cast<std::size_t>(i)].state() == Qualification::State::excluded) ++excluded, missing = i;
+
+  const bool had_design = have_design_;
+  have_design_ = excluded == 0 || (excluded == 1 && filter_.available(SensorSet::without(missing)));
+  no_design_.set(!have_design_, {wire::EventKind::no_design, 0, false, static_cast<double>(excluded), 1.0, 0}, events_);
+  if (!have_design_) return;
+  if (!had_design) restart_filter();  // it ran blind in the meantime
+
+  if (filter_.sensor_set().missing() == missing) return;
+  if (!filter_.sensor_set().is_full()) readmit();
+  if (missing >= 0) exclude(missing);
+}
+
+void MonitorCycle::exclude(int sensor) noexcept {
+  const double with_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
+  const double narrow = filter_.innovation_variance()(sensor);
+  filter_.switch_sensor_set(SensorSet::without(sensor));
+  error_.switch_to(error_models_[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
+  const double without_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
+  return_gate_.start(with_it - without_it, narrow, filter_.innovation_variance()(sensor));
+}
+
+void MonitorCycle::readmit() noexcept {
+  error_.switch_to(error_models_.front(), filter_.gain().to_full);
+  filter_.switch_sensor_set(SensorSet::full());
+}
+
+void MonitorCycle::judge() noexcept {
+  result_.sensors_used = filter_.sensors();
+  result_.residuals = true;
+  result_.estimates = have_design_;
+  if (have_design_) {
+    ++counters_.processed;
+    if (error_.settled()) shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), events_);
+    limits_.judge(filter_.health(), filter_.auxiliary(), events_);
+  } else {
+    ++counters_.withheld;
+    shift_.reset();
+  }
+  result_.flags = estimate_flags();
+}
+
+std::uint32_t MonitorCycle::estimate_flags() const noexcept {
+  namespace flag = wire::estimate_flag;
+  std::uint32_t flags = 0;
+  if (!error_.settled()) flags |= flag::converging;
+  if ((result_.fused & filter_.sensors()) != filter_.sensors()) flags |= flag::bridging;
+  if (!filter_.sensor_set().is_full()) flags |= flag::degraded;
+  if (!valid_) flags |= flag::off_design;
+  if (shift_.raised()) flags |= flag::shifted;
+  return flags;
+}
+
+void MonitorCycle::no_input(double age_s) noexcept {
+  const double limit_s = options_.stale_periods * design_->model.sample_time_s;
+  if (age_s > limit_s)
+    input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, 0}, events_);
+}
+
+}  // namespace ehm::monitor

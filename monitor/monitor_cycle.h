@@ -1,0 +1,115 @@
+#pragma once
+// THE data path of one engine: check -> predict -> update -> judge. One sample in, one result out.
+//
+// Knows no DDS, clock, file, thread or log. Deterministic: the same samples give the same results to the bit.
+// Equations: the filter in estimation/tuner_filter.h, its error in estimation/error_propagation.h, the decisions in
+// checks/ and judge/.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "monitor/checks/innovation_gate.h"
+#include "monitor/checks/qualification.h"
+#include "monitor/checks/return_gate.h"
+#include "monitor/checks/sample_check.h"
+#include "monitor/checks/sensor_check.h"
+#include "monitor/design/design.h"
+#include "monitor/estimation/error_propagation.h"
+#include "monitor/estimation/tuner_filter.h"
+#include "monitor/judge/events.h"
+#include "monitor/judge/limit_watch.h"
+#include "monitor/judge/shift_detector.h"
+#include "monitor/judge/validity.h"
+#include "monitor/options.h"
+#include "monitor/sample.h"
+
+namespace ehm::monitor {
+
+/// What the cycle has counted since it was made.
+struct CycleCounters {
+  std::uint64_t received = 0;    ///< every sample that came
+  std::uint64_t processed = 0;   ///< led to estimates
+  std::uint64_t lost = 0;        ///< gaps of the sequence
+  std::uint64_t duplicated = 0, reordered = 0, malformed = 0;
+  std::uint64_t withheld = 0;    ///< accepted, but no honest estimate: off design, or no design for the sensors left
+  std::uint64_t sensor_rejections = 0;
+  std::uint64_t restarts = 0;
+};
+
+/// Result of one sample. Estimates in channel units.
+struct CycleResult {
+  bool residuals = false;  ///< the sample was in order: residuals hold
+  bool estimates = false;  ///< estimates hold
+  std::uint32_t flags = 0; ///< wire::estimate_flag
+  estimation::SensorMask sensors_used, rejected, fused;
+  std::array<std::uint32_t, estimation::max_sensors> reason{};  ///< wire::reject_reason bits by sensor
+  estimation::SensorVector ratio;
+};
+
+class MonitorCycle {
+ public:
+  /// `design` is shared by all engines of its type.
+  /// @throws std::invalid_argument if an option does not fit the design (names it).
+  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options);
+
+  /// The whole path for one sample. Real-time safe: yes.
+  const CycleResult& process(const Sample& sample) noexcept;
+  /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. Real-time safe: yes.
+  void no_input(double age_s) noexcept;
+  /// Cold start of the filter, by an operator's order. Real-time safe: yes.
+  void reset() noexcept;
+
+  const estimation::TunerFilter& filter() const noexcept { return filter_; }
+  const estimation::ErrorPropagation& error() const noexcept { return error_; }
+  const design::Design& design() const noexcept { return *design_; }
+  const CycleCounters& counters() const noexcept { return counters_; }
+  const CycleResult& last_result() const noexcept { return result_; }
+  bool stale() const noexcept { return input_lost_.raised(); }
+  /// Events since the last clear_events.
+  const EventList& events() const noexcept { return events_; }
+  void clear_events() noexcept { events_.clear(); }
+
+ private:
+  bool admit(const Sample& sample, SampleDecision& decision) noexcept;
+  void restart(double jump_s) noexcept;
+  void restart_filter() noexcept;
+  void check_sensors(const Sample& sample, int steps) noexcept;
+  void withhold() noexcept;
+  void predict(int steps) noexcept;
+  void gate() noexcept;
+  void qualify() noexcept;
+  void update() noexcept;
+  void choose_design() noexcept;
+  void exclude(int sensor) noexcept;
+  void readmit() noexcept;
+  void judge() noexcept;
+  std::uint32_t estimate_flags() const noexcept;
+
+  std::shared_ptr<const design::Design> design_;
+  CycleOptions options_;
+  int sensors_, actuators_;
+  std::vector<estimation::ErrorModel> error_models_;  ///< [0] full set, [1 + i] without sensor i
+  estimation::TunerFilter filter_;
+  estimation::ErrorPropagation error_;
+
+  SampleCheck sample_check_;
+  SensorCheck sensor_check_;
+  std::vector<Qualification> qualification_;
+  ReturnGate return_gate_;
+  Validity validity_;
+  ShiftDetector shift_;
+  LimitWatch limits_;
+
+  estimation::SensorVector dy_, sensor_trim_;              ///< deviations from trim, NaN where there is no value
+  estimation::ActuatorVector du_, du_previous_, actuator_trim_;
+  bool valid_ = true;        ///< the design's point is near enough
+  bool have_design_ = true;  ///< for the sensors that are left
+  std::vector<Condition> sensor_fault_;
+  Condition no_design_, input_lost_;
+  EventList events_;
+  CycleCounters counters_;
+  CycleResult result_;
+};
+
+}  // namespace ehm::monitor

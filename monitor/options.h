@@ -1,0 +1,48 @@
+#pragma once
+// What an operator may set of the data path; monitor/config.h gives each its range, unit and description.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ehm::monitor {
+
+struct CheckOptions {
+  double range_percent = 60.0;          ///< a sensor farther from its trim is out of range, percent of trim
+  double rate_percent = 12.0;           ///< a larger step between samples is impossible, percent of trim
+  std::int64_t stuck_samples = 20;      ///< as many equal values in a row are a stuck channel
+  double gate_sigma = 5.0;              ///< innovation gate; 5 sigma closes falsely once in 1.7 million values
+  std::int64_t bridge_samples = 5;      ///< bad samples in a row that are bridged before the sensor is declared faulty
+  std::int64_t requalify_samples = 200; ///< good samples in a row before it is used again
+  double restart_gap_s = 2.0;           ///< a longer gap, or a larger jump back in time, restarts the filter
+};
+
+/// How far from the design's operating point its linear model is trusted.
+struct ValidityOptions {
+  double altitude_m = 600.0;
+  double mach = 0.04;
+  double delta_isa_k = 6.0;
+  double actuator_percent = 15.0;  ///< of trim
+};
+
+struct ShiftOptions {
+  double window_s = 6.0;           ///< the estimate is compared with itself this long ago
+  double persistence_s = 1.5;      ///< the change must last this long before it is named
+  double false_alarm_per_hour = 1e-3;
+};
+
+/// Raised when the estimate leaves [min, max]; cleared when it is back inside by `hysteresis`.
+struct LimitOptions {
+  std::string quantity;  ///< name of a health or auxiliary channel
+  double min, max, hysteresis;
+};
+
+struct CycleOptions {
+  CheckOptions checks;
+  ValidityOptions validity;
+  ShiftOptions shift;
+  std::vector<LimitOptions> limits;
+  double stale_periods = 3.0;
+};
+
+}  // namespace ehm::monitor

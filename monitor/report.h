@@ -1,0 +1,26 @@
+#pragma once
+// What the cycle thread hands to the reporter thread, so that logs, events and status cost the cycle only a copy.
+
+#include <cstdint>
+
+#include "engine_health.h"
+#include "monitor/design/design.h"
+#include "monitor/judge/events.h"
+#include "monitor/realtime/spsc_queue.h"
+
+namespace ehm::monitor {
+
+struct Report {
+  enum class Kind { event, status, new_engine, unknown_engine };
+  Kind kind = Kind::event;
+  std::uint32_t engine_id = 0;
+  const design::Design* design = nullptr;  ///< lives as long as the engine table
+  Event event;                             ///< Kind::event
+  std::uint64_t sequence = 0;
+  std::int64_t source_time_ns = 0;
+  MonitorStatus status;                    ///< Kind::status
+};
+
+using ReportQueue = SpscQueue<Report, 1024>;
+
+}  // namespace ehm::monitor

@@ -1,0 +1,94 @@
+#include "monitor/reporter.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+
+#include "idl/wire_values.h"
+#include "monitor/dds/convert.h"
+#include "monitor/dds/event_text.h"
+
+namespace ehm::monitor {
+
+namespace {
+constexpr std::chrono::milliseconds poll{5};  // how late an event may be reported
+constexpr double drain_s = 0.5;               // how long a stop waits for subscribers to hear the last status
+}  // namespace
+
+Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue)
+    : source_id_(source_id),
+      queue_(queue),
+      events_(participant),
+      status_(participant),
+      descriptions_(participant),
+      thread_([this] { run(); }) {}
+
+Reporter::~Reporter() {
+  stop_.store(true, std::memory_order_release);
+  thread_.join();
+  status_.drain(drain_s);
+  events_.drain(drain_s);
+}
+
+void Reporter::run() {
+  // The flag is read before the queue: what was queued before the stop is still reported.
+  for (bool last = false; !last;) {
+    last = stop_.load(std::memory_order_acquire);
+    while (report_next()) {
+    }
+    report_overflow();
+    if (!last) std::this_thread::sleep_for(poll);
+  }
+}
+
+bool Reporter::report_next() {
+  Report report;
+  if (!queue_.pop(report)) return false;
+  switch (report.kind) {
+    case Report::Kind::event: report_event(report); break;
+    case Report::Kind::status: status_.write(report.status); break;
+    case Report::Kind::new_engine:
+      descriptions_.write(describe(*report.design, report.engine_id, source_id_));
+      spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
+      break;
+    case Report::Kind::unknown_engine:
+      spdlog::warn("engine {}: no design serves it ({} samples refused so far); name it in an [[engine]] table or raise "
+                   "monitor.max_engines",
+                   report.engine_id, report.sequence);
+      break;
+  }
+  return true;
+}
+
+void Reporter::report_event(const Report& report) {
+  const Event& event = report.event;
+  const std::string text = event_text(event, report.design->model);
+  HealthEvent wire_event;
+  wire_event.engine_id(report.engine_id);
+  wire_event.source_id(source_id_);
+  wire_event.kind(static_cast<std::uint32_t>(event.kind));
+  wire_event.channel(event.channel);
+  wire_event.schema(wire::schema_version);
+  wire_event.raised(event.raised ? 1 : 0);
+  wire_event.sequence_number(report.sequence);
+  wire_event.source_time_ns(report.source_time_ns);
+  wire_event.value(event.value);
+  wire_event.threshold(event.threshold);
+  wire_event.channel_name() = channel_name(event, report.design->model).c_str();
+  wire_event.message() = text.c_str();
+  events_.write(wire_event);
+  if (event.raised)
+    spdlog::warn("engine {}: {}", report.engine_id, text);
+  else
+    spdlog::info("engine {}: {}", report.engine_id, text);
+}
+
+void Reporter::report_overflow() {
+  if (const std::uint64_t overflow = queue_.overflow(); overflow != overflow_said_) {
+    spdlog::error("{} reports did not fit the queue and are lost (events or status); the reporter thread is starved",
+                  overflow);
+    overflow_said_ = overflow;
+  }
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,34 @@
+#pragma once
+// The slow side of the service, on its own thread: log lines, HealthEvent, MonitorStatus and EngineDescription.
+
+#include <atomic>
+#include <thread>
+
+#include "idl/dds/endpoint.h"
+#include "monitor/report.h"
+
+namespace ehm::monitor {
+
+class Reporter {
+ public:
+  Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue);
+  /// Reports what is still queued, then ends the thread.
+  ~Reporter();
+
+ private:
+  void run();
+  bool report_next();
+  void report_event(const Report& report);
+  void report_overflow();
+
+  std::uint32_t source_id_;
+  ReportQueue& queue_;
+  std::uint64_t overflow_said_ = 0;
+  wire::Writer<HealthEvent> events_;
+  wire::Writer<MonitorStatus> status_;
+  wire::Writer<EngineDescription> descriptions_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace ehm::monitor

@@ -1,0 +1,24 @@
+#pragma once
+// One sensor sample as the cycle sees it: the wire's EngineSensors without DDS.
+
+#include <array>
+#include <cstdint>
+
+#include "monitor/estimation/capacity.h"
+#include "monitor/estimation/linear_model.h"
+
+namespace ehm::monitor {
+
+struct Sample {
+  std::uint32_t schema = 0;
+  std::uint64_t sequence = 0;
+  std::int64_t source_time_ns = 0;
+  estimation::OperatingPoint flight;
+  std::uint32_t sensor_valid = 0;  ///< bit i: the source vouches for sensor i
+  std::uint32_t sensor_count = 0;
+  std::uint32_t actuator_count = 0;
+  std::array<double, estimation::max_actuators> actuator{};
+  std::array<double, estimation::max_sensors> sensor{};
+};
+
+}  // namespace ehm::monitor
