@@ -31,9 +31,10 @@ inline constexpr std::array<std::string_view, health_count> health_names{
 using HealthVector = std::array<double, health_count>;
 
 struct FlightCondition {
-  double altitude_m = 0.0;   ///< geopotential pressure altitude
+  double altitude_m = 0.0;  ///< geopotential pressure altitude
   double mach = 0.0;
   double delta_isa_k = 0.0;  ///< ambient temperature minus the standard atmosphere's
+  bool operator==(const FlightCondition&) const = default;
 };
 
 struct SpoolSpeeds {

@@ -1,0 +1,87 @@
+#pragma once
+// Everything that distinguishes one two-spool, separate-flow turbofan from another. SI unless a name says otherwise;
+// the maps and their scale factors keep the units of the maps (lbm/s, degrees Rankine, psia).
+// Scale factors (convention of NPSS and T-MATS):
+//   compressor: Nc = N/sqrt(theta) = s_nc n,  Wc = s_wc WcMap,  PR = 1 + s_pr (PRmap - 1),  eff = s_eff effMap
+//   turbine:    Np = N/sqrt(T) = s_nc NpMap,  Wp = s_wc WpMap, PR and eff as above; T, P, W of the inlet before cooling
+// Errors: none. Source of a particular engine's numbers: its file in engines/.
+
+#include <string>
+#include <vector>
+
+#include "engine_sim/model/compressor_map.h"
+#include "engine_sim/model/flow_unknowns.h"
+#include "engine_sim/model/gas_path.h"
+#include "engine_sim/model/turbine_map.h"
+
+namespace ehm::engine {
+
+struct RamRecovery {
+  double mach;
+  double recovery;  ///< fan face total pressure / free stream total pressure
+};
+
+struct InletData {
+  std::vector<RamRecovery> ram_recovery;  ///< ascending Mach number
+};
+
+struct MapScale {
+  double s_nc, s_wc, s_pr, s_eff;
+};
+
+struct CompressorData {
+  CompressorMap map;
+  MapScale scale;
+};
+
+struct TurbineData {
+  TurbineMap map;
+  MapScale scale;
+};
+
+/// Air taken at the HPC exit, as fractions of the HPC flow.
+struct CoolingData {
+  double hpt_inlet;  ///< does work in the HPT
+  double hpt_exit;   ///< mixes behind the HPT
+};
+
+struct CombustorData {
+  double pressure_loss;  ///< dP/P
+  double efficiency;
+  double lower_heating_value_j_kg;
+  double fuel_enthalpy_j_kg;  ///< of the fuel as injected, on the scale of gas.h
+};
+
+struct NozzleData {
+  double area_m2;
+  double velocity_coefficient;
+};
+
+/// Total pressure lost in each duct, dP/P.
+struct DuctLosses {
+  double bypass, fan_to_lpc, lpc_to_hpc, hpt_to_lpt, lpt_to_nozzle;
+};
+
+/// A known operating point: where cold starts begin, and what scales the unknowns.
+struct DesignPoint {
+  FlightCondition flight;
+  SpoolSpeeds speeds;
+  double fuel_flow_kg_s;
+  FlowUnknowns unknowns;
+};
+
+struct EngineData {
+  std::string name;
+  InletData inlet;
+  CompressorData fan, lpc, hpc;
+  double hpc_exit_area_m2;  ///< flow area at station 30, where Ps30 is sensed
+  CoolingData cooling;
+  CombustorData combustor;
+  TurbineData hpt, lpt;
+  DuctLosses loss;
+  NozzleData core_nozzle, bypass_nozzle;
+  double lp_inertia_kg_m2, hp_inertia_kg_m2;
+  DesignPoint design;
+};
+
+}  // namespace ehm::engine

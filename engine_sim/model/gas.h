@@ -1,0 +1,78 @@
+#pragma once
+// Thermodynamic properties of air and of the combustion products of kerosene in dry air, semi-perfect gas:
+//   cp(T, f) = sum A_i Z^i + f/(1+f) sum B_i Z^i                Z = T / 1000 K, f = fuel-air ratio by mass
+//   h(T, f)  = integral of cp dT + constant                      J/kg
+//   phi(T,f) = integral of cp dT/T + constant                    J/(kg K), the entropy function
+//   isentropic change of state: phi(T2, f) - phi(T1, f) = R(f) ln(p2 / p1)
+// Polynomials valid for 200-2000 K and f = 0-0.05. Outside that range cp keeps the value of the edge, so h and phi
+// continue once differentiably and a solver that strays out of range finds its way back.
+// Units: K, J/kg, J/(kg K); f and pressure ratios are plain ratios.
+// Errors: none of the direct functions; inversions @throws std::domain_error when the target is not finite.
+// Source: Walsh & Fletcher, Gas Turbine Performance, 2nd ed., formulae F3.23 (cp), F3.26 (h), F3.27 (phi), F3.22 (R).
+
+#include "engine_sim/model/dual.h"
+
+namespace ehm::engine {
+
+double specific_heat_j_kgk(double t_k, double fuel_air_ratio);
+double gas_constant_j_kgk(double fuel_air_ratio);
+
+/// Value with its two partial derivatives.
+struct GasProperty {
+  double value;
+  double by_temperature;
+  double by_fuel_air_ratio;
+};
+GasProperty enthalpy_property(double t_k, double fuel_air_ratio);
+GasProperty entropy_property(double t_k, double fuel_air_ratio);
+
+/// T such that h(T, f) = target, from `guess_k`. @throws std::domain_error if the target is not finite
+double temperature_from_enthalpy(double h_j_kg, double fuel_air_ratio, double guess_k);
+/// T such that phi(T, f) = target, from `guess_k`. @throws std::domain_error if the target is not finite
+double temperature_from_entropy(double phi_j_kgk, double fuel_air_ratio, double guess_k);
+
+template <class S>
+S enthalpy(const S& t_k, const S& fuel_air_ratio) {
+  const GasProperty h = enthalpy_property(value(t_k), value(fuel_air_ratio));
+  return chain(h.value, h.by_temperature, t_k, h.by_fuel_air_ratio, fuel_air_ratio);
+}
+
+template <class S>
+S entropy_function(const S& t_k, const S& fuel_air_ratio) {
+  const GasProperty phi = entropy_property(value(t_k), value(fuel_air_ratio));
+  return chain(phi.value, phi.by_temperature, t_k, phi.by_fuel_air_ratio, fuel_air_ratio);
+}
+
+/// R varies with f by 5e-5 percent over the whole range: its derivative is carried as zero.
+template <class S>
+double gas_constant(const S& fuel_air_ratio) {
+  return gas_constant_j_kgk(value(fuel_air_ratio));
+}
+
+/// T(h, f); derivatives by the implicit function theorem: dT = (dh - h_f df) / cp.
+template <class S>
+S temperature_at_enthalpy(const S& h_j_kg, const S& fuel_air_ratio, double guess_k) {
+  const double f = value(fuel_air_ratio);
+  const double t = temperature_from_enthalpy(value(h_j_kg), f, guess_k);
+  const GasProperty h = enthalpy_property(t, f);
+  return chain(t, 1.0 / h.by_temperature, h_j_kg, -h.by_fuel_air_ratio / h.by_temperature, fuel_air_ratio);
+}
+
+/// T(phi, f); derivatives likewise.
+template <class S>
+S temperature_at_entropy(const S& phi_j_kgk, const S& fuel_air_ratio, double guess_k) {
+  const double f = value(fuel_air_ratio);
+  const double t = temperature_from_entropy(value(phi_j_kgk), f, guess_k);
+  const GasProperty phi = entropy_property(t, f);
+  return chain(t, 1.0 / phi.by_temperature, phi_j_kgk, -phi.by_fuel_air_ratio / phi.by_temperature, fuel_air_ratio);
+}
+
+/// Temperature after an isentropic change of pressure p2/p1 = exp(log_pressure_ratio).
+template <class S>
+S isentropic_temperature(const S& t_k, const S& fuel_air_ratio, const S& log_pressure_ratio) {
+  // phi2 = phi1 + R ln(p2/p1); the guess takes R/cp = 2/7
+  const S phi = entropy_function(t_k, fuel_air_ratio) + gas_constant(fuel_air_ratio) * log_pressure_ratio;
+  return temperature_at_entropy(phi, fuel_air_ratio, value(t_k) * std::exp(value(log_pressure_ratio) / 3.5));
+}
+
+}  // namespace ehm::engine

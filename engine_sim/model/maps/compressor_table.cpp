@@ -1,0 +1,132 @@
+#include "engine_sim/model/maps/compressor_table.h"
+
+#include <cmath>
+
+namespace ehm::engine {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double extension_weight = 0.2;
+
+double at(const std::vector<double>& v, Index i) {
+  return v[static_cast<std::size_t>(i)];
+}
+
+/// phi, psi, efficiency and weights of the samples of the table itself.
+CompressorTarget bare_target(const CompressorTable& t, double flow_exponent, double pressure_exponent) {
+  CompressorTarget out{t.speed, t.r_line, t.flow, t.flow, t.efficiency, t.flow, t.flow, t.flow};
+  for (Index i = 0; i < t.flow.rows(); ++i) {
+    for (Index j = 0; j < t.flow.cols(); ++j) {
+      const double n = at(t.speed, i), pr = t.pressure_ratio(i, j);
+      const double weight = sample_weight(at(t.r_line, j), pr, t.efficiency(i, j));
+      out.phi(i, j) = t.flow(i, j) / std::pow(n, flow_exponent);
+      out.psi(i, j) = weight > 0.0 ? std::log((pr - 1.0) / std::pow(n, pressure_exponent)) : 0.0;
+      // relative errors of Wc and PR count; a choked line keeps its flow to the end, clipped or not
+      out.flow_weight(i, j) = std::max(weight, 0.3) / out.phi(i, j);
+      out.pressure_weight(i, j) = weight * (pr - 1.0) / pr;
+      out.efficiency_weight(i, j) = weight;
+    }
+  }
+  return out;
+}
+
+/// Mean over the fully weighted R-lines of the last two rows of (last - one before)/(x_last - x_before).
+double edge_slope(const MatrixXd& z, const MatrixXd& weight, double x_last, double x_before) {
+  double sum = 0.0;
+  int count = 0;
+  const Index last = z.rows() - 1;
+  for (Index j = 0; j < z.cols(); ++j) {
+    if (weight(last, j) < 1.0 || weight(last - 1, j) < 1.0) continue;
+    sum += (z(last, j) - z(last - 1, j)) / (x_last - x_before);
+    ++count;
+  }
+  return sum / count;
+}
+
+void append_row(MatrixXd& z, const Eigen::RowVectorXd& row, bool on_top) {
+  MatrixXd grown(z.rows() + 1, z.cols());
+  if (on_top) {
+    grown << row, z;
+  } else {
+    grown << z, row;
+  }
+  z = grown;
+}
+
+/// One more speed line: copies the edge line, shifted by constants, at the weight of an extension.
+void append_speed(CompressorTarget& t, double speed, bool below, double phi_factor, double psi_shift,
+                  double eff_shift) {
+  const Index edge = below ? 0 : t.phi.rows() - 1;
+  const Eigen::RowVectorXd eff = t.efficiency.row(edge).array() + eff_shift;
+  append_row(t.phi, t.phi.row(edge) * phi_factor, below);
+  append_row(t.psi, t.psi.row(edge).array() + psi_shift, below);
+  append_row(t.efficiency, eff, below);
+  append_row(t.flow_weight, t.flow_weight.row(edge) * extension_weight, below);
+  append_row(t.pressure_weight, t.pressure_weight.row(edge) * extension_weight, below);
+  append_row(t.efficiency_weight, t.efficiency_weight.row(edge) * extension_weight, below);
+  t.speed.insert(below ? t.speed.begin() : t.speed.end(), speed);
+}
+
+/// One more R-line: choked flow stays; pressure and efficiency get no weight.
+void append_choked_line(CompressorTarget& t, double r_line) {
+  const auto append = [](MatrixXd& z, const Eigen::VectorXd& column) {
+    MatrixXd grown(z.rows(), z.cols() + 1);
+    grown << z, column;
+    z = grown;
+  };
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(t.phi.rows());
+  append(t.phi, t.phi.rightCols<1>());
+  append(t.flow_weight, t.flow_weight.rightCols<1>());
+  append(t.psi, none);
+  append(t.pressure_weight, none);
+  append(t.efficiency, none);
+  append(t.efficiency_weight, none);
+  t.r_line.push_back(r_line);
+}
+
+}  // namespace
+
+MatrixXd read_rows(const nlohmann::json& rows) {
+  MatrixXd z(static_cast<Index>(rows.size()), static_cast<Index>(rows.at(0).size()));
+  for (Index i = 0; i < z.rows(); ++i) {
+    const std::vector<double> row = rows.at(static_cast<std::size_t>(i));
+    for (Index j = 0; j < z.cols(); ++j) z(i, j) = row.at(static_cast<std::size_t>(j));
+  }
+  return z;
+}
+
+CompressorTable read_compressor_table(const nlohmann::json& map) {
+  return {map.at("NcVec").at(0), map.at("RlineVec").at(0), read_rows(map.at("WcArray")), read_rows(map.at("PRArray")),
+          read_rows(map.at("EffArray"))};
+}
+
+double sample_weight(double r_line, double pressure_ratio, double efficiency) {
+  if (pressure_ratio <= 1.001 || efficiency < 0.05) return 0.0;
+  if (efficiency < 0.5) return 0.1;
+  return r_line < 1.3 || r_line > 2.7 ? 0.4 : 1.0;
+}
+
+CompressorTarget fit_target(const CompressorTable& table, double flow_exponent, double pressure_exponent) {
+  CompressorTarget t = bare_target(table, flow_exponent, pressure_exponent);
+  const double lowest = table.speed.front(), highest = table.speed.back();
+  const double before = table.speed[table.speed.size() - 2];
+  const MatrixXd& weight = t.efficiency_weight;
+  const double phi_growth = edge_slope(t.phi.array().log(), weight, std::log(highest), std::log(before));
+  const double psi_growth = edge_slope(t.psi, weight, std::log(highest), std::log(before));
+  const double eff_slope = edge_slope(t.efficiency, weight, highest, before);
+
+  append_choked_line(t, table.r_line.back() + 0.4);
+  append_choked_line(t, table.r_line.back() + 0.8);
+  append_speed(t, 0.5 * lowest, true, 1.0, 0.0, 0.0);
+  append_speed(t, 0.1 * lowest, true, 1.0, 0.0, 0.0);
+  for (const double ratio : {1.08, 1.08}) {
+    const double speed = t.speed.back() * ratio, log_ratio = std::log(ratio);
+    append_speed(t, speed, false, std::exp(phi_growth * log_ratio), psi_growth * log_ratio,
+                 eff_slope * (speed - t.speed.back()));
+  }
+  return t;
+}
+
+}  // namespace ehm::engine

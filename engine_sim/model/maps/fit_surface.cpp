@@ -1,0 +1,85 @@
+#include "engine_sim/model/maps/fit_surface.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine_sim/model/spline.h"
+
+namespace ehm::engine {
+namespace {
+
+/// One row per sample, one column per basis function.
+Eigen::MatrixXd design_matrix(const SplineBasis& basis, std::span<const double> samples) {
+  Eigen::MatrixXd rows =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples.size()), static_cast<Eigen::Index>(basis.size()));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const BasisValues at = basis.at(samples[i]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      rows(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(at.first + k)) = at.b[k];
+    }
+  }
+  return rows;
+}
+
+/// Rows (-1, 3, -3, 1) of the third difference.
+Eigen::MatrixXd third_difference(Eigen::Index size) {
+  Eigen::MatrixXd d = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(size - 3, 0), size);
+  for (Eigen::Index i = 0; i < d.rows(); ++i) d.row(i).segment<4>(i) << -1.0, 3.0, -3.0, 1.0;
+  return d;
+}
+
+/// Kronecker product, so that kron(A, B) acts on a row-major coefficient table.
+Eigen::MatrixXd kron(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd out(a.rows() * b.rows(), a.cols() * b.cols());
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    for (Eigen::Index j = 0; j < a.cols(); ++j) {
+      out.block(i * b.rows(), j * b.cols(), b.rows(), b.cols()) = a(i, j) * b;
+    }
+  }
+  return out;
+}
+
+/// min |w (samples c - target)|^2 + |penalty c|^2
+std::vector<double> solve(const Eigen::MatrixXd& samples, const Eigen::VectorXd& weight, const Eigen::VectorXd& target,
+                          const Eigen::MatrixXd& penalty) {
+  Eigen::MatrixXd stacked(samples.rows() + penalty.rows(), samples.cols());
+  stacked << weight.asDiagonal() * samples, penalty;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(stacked.rows());
+  right.head(target.size()) = weight.cwiseProduct(target);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(stacked);
+  if (qr.rank() < stacked.cols()) {
+    throw std::runtime_error("map fit: the least-squares system is rank deficient; use fewer break points");
+  }
+  const Eigen::VectorXd c = qr.solve(right);
+  return {c.begin(), c.end()};
+}
+
+}  // namespace
+
+std::vector<double> fit_surface(std::span<const double> x, std::span<const double> y, const Eigen::MatrixXd& z,
+                                const Eigen::MatrixXd& weight, std::span<const double> x_breaks,
+                                std::span<const double> y_breaks, double smoothing) {
+  const auto nx = static_cast<Eigen::Index>(x.size()), ny = static_cast<Eigen::Index>(y.size());
+  if (z.rows() != nx || z.cols() != ny || weight.rows() != nx || weight.cols() != ny) {
+    throw std::invalid_argument("map fit: the table is not of the size of its coordinates");
+  }
+  const Eigen::MatrixXd bx = design_matrix(SplineBasis(x_breaks), x), by = design_matrix(SplineBasis(y_breaks), y);
+  const Eigen::MatrixXd along_x = kron(third_difference(bx.cols()), Eigen::MatrixXd::Identity(by.cols(), by.cols()));
+  const Eigen::MatrixXd along_y = kron(Eigen::MatrixXd::Identity(bx.cols(), bx.cols()), third_difference(by.cols()));
+  Eigen::MatrixXd penalty(along_x.rows() + along_y.rows(), bx.cols() * by.cols());
+  penalty << along_x, along_y;
+  return solve(kron(bx, by), weight.reshaped<Eigen::RowMajor>(), z.reshaped<Eigen::RowMajor>(),
+               std::sqrt(smoothing) * penalty);
+}
+
+std::vector<double> fit_curve(std::span<const double> x, std::span<const double> z, std::span<const double> breaks,
+                              double smoothing) {
+  const Eigen::MatrixXd samples = design_matrix(SplineBasis(breaks), x);
+  const Eigen::VectorXd target = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+  return solve(samples, Eigen::VectorXd::Ones(target.size()), target,
+               std::sqrt(smoothing) * third_difference(samples.cols()));
+}
+
+}  // namespace ehm::engine

@@ -1,0 +1,37 @@
+#pragma once
+// Steady operating point: both spools in power balance, all flows closed, one demand met.
+//   unknowns (9):  six of flow_unknowns.h, N1 and N2 and fuel flow relative to the design point
+//   residuals (9): six flow balances, (turbine - absorbed power)/turbine power of both shafts, demand (value -
+//   target)/scale
+// Newton's method with exact derivatives; where it fails from the given start, the flight condition, the health and the
+// demand are approached from the design point in steps that adapt (continuation). Units SI, health as fractions.
+// Source: Walsh & Fletcher, chapter 7 (off-design matching); continuation: Allgower & Georg, Introduction to Numerical
+// Continuation Methods, chapter 2.
+
+#include "engine_sim/model/turbofan.h"
+
+namespace ehm::engine {
+
+enum class DemandKind { fuel_flow_kg_s, n1_rpm, net_thrust_n, t40_k };
+
+struct Demand {
+  DemandKind kind;
+  double value;
+};
+
+struct SteadyPoint {
+  Operation operation;
+  GasPath gas;
+  FlowUnknowns unknowns;
+  int iterations;   ///< Newton steps, all stages together
+  double residual;  ///< largest of the nine, relative
+};
+
+/// `start`: a solved point nearby, or none for a cold start.
+/// @throws std::invalid_argument if demand or health are not finite or out of range (the message says which)
+/// @throws std::out_of_range for a flight condition outside the atmosphere's or the inlet's range
+/// @throws SolveError if no steady point is found; the message names the residual that did not close and its value
+SteadyPoint solve_steady(const Turbofan& engine, const FlightCondition& flight, const HealthVector& health,
+                         const Demand& demand, const SteadyPoint* start = nullptr);
+
+}  // namespace ehm::engine

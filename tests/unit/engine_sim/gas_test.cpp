@@ -1,0 +1,63 @@
+#include "engine_sim/model/gas.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ehm::engine {
+namespace {
+
+// Keenan, Chao & Kaye, Gas Tables (ideal-gas air), as tabulated in Moran & Shapiro, table A-22: T, h kJ/kg, s0 kJ/kgK.
+struct AirRow {
+  double t_k, h_kj_kg, s0_kj_kgk;
+};
+constexpr AirRow air_table[] = {{300.0, 300.19, 1.70203},
+                                {500.0, 503.02, 2.21952},
+                                {800.0, 821.95, 2.71787},
+                                {1000.0, 1046.04, 2.96770},
+                                {1500.0, 1635.97, 3.44516}};
+
+TEST(Gas, EnthalpyAndEntropyOfAirAgreeWithTheGasTables) {
+  const double h300 = enthalpy(300.0, 0.0), phi300 = entropy_function(300.0, 0.0);
+  for (const AirRow& row : air_table) {
+    // differences from 300 K: the zero of the scale is a convention; 0.25 % is the spread between published tables
+    const double h_table = 1e3 * (row.h_kj_kg - air_table[0].h_kj_kg);
+    const double s_table = 1e3 * (row.s0_kj_kgk - air_table[0].s0_kj_kgk);
+    EXPECT_NEAR(enthalpy(row.t_k, 0.0) - h300, h_table, 2.5e-3 * h_table) << row.t_k;
+    EXPECT_NEAR(entropy_function(row.t_k, 0.0) - phi300, s_table, 2.5e-3 * s_table) << row.t_k;
+  }
+}
+
+TEST(Gas, DerivativesAreThoseOfTheFunctions) {
+  for (const double t : {150.0, 250.0, 700.0, 1500.0, 1990.0, 2300.0}) {
+    const GasProperty h = enthalpy_property(t, 0.02), phi = entropy_property(t, 0.02);
+    const double dt = 1e-2, df = 1e-5;
+    EXPECT_NEAR(h.by_temperature, (enthalpy(t + dt, 0.02) - enthalpy(t - dt, 0.02)) / (2 * dt), 1e-4);
+    EXPECT_NEAR(phi.by_temperature, (entropy_function(t + dt, 0.02) - entropy_function(t - dt, 0.02)) / (2 * dt), 1e-6);
+    EXPECT_NEAR(h.by_fuel_air_ratio, (enthalpy(t, 0.02 + df) - enthalpy(t, 0.02 - df)) / (2 * df), 1.0);
+    EXPECT_NEAR(phi.by_fuel_air_ratio, (entropy_function(t, 0.02 + df) - entropy_function(t, 0.02 - df)) / (2 * df),
+                1e-3);
+  }
+}
+
+TEST(Gas, InversionsCloseTheCircle) {
+  for (double t = 180.0; t < 2200.0; t += 60.0) {
+    for (const double f : {0.0, 0.02, 0.045}) {
+      EXPECT_NEAR(temperature_from_enthalpy(enthalpy(t, f), f, 600.0), t, 1e-9 * t);
+      EXPECT_NEAR(temperature_from_entropy(entropy_function(t, f), f, 600.0), t, 1e-9 * t);
+    }
+  }
+}
+
+TEST(Gas, IsentropicCompressionOfColdAirFollowsConstantGamma) {
+  // at 220 K gamma is 1.401: T2/T1 = 2^(R/cp), R/cp = 287.05/1003.0 = 0.2862
+  EXPECT_NEAR(isentropic_temperature(220.0, 0.0, std::log(2.0)) / 220.0, std::pow(2.0, 0.2862), 3e-4);
+}
+
+TEST(Gas, RefusesATargetThatIsNotFinite) {
+  EXPECT_THROW(temperature_from_enthalpy(std::numeric_limits<double>::quiet_NaN(), 0.0, 300.0), std::domain_error);
+  EXPECT_THROW(temperature_from_entropy(std::numeric_limits<double>::infinity(), 0.0, 300.0), std::domain_error);
+}
+
+}  // namespace
+}  // namespace ehm::engine
