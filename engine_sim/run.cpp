@@ -19,6 +19,9 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds match_poll{10};
 constexpr milliseconds answer_limit{10'000};
+// Matching is not symmetric: a reader that we know may learn of us an announcement later. Samples sent in between arrive,
+// but late.
+constexpr milliseconds match_settling{300};
 
 wire::ParticipantOptions participant_options(const SimConfig& config) {
   wire::ParticipantOptions options;
@@ -53,6 +56,7 @@ class SourceClock {
 void wait_for_monitors(const SimPublisher& publisher, std::int64_t wanted, const service::StopSignal& stop) {
   if (publisher.monitors() < wanted) spdlog::info("waiting for {} reader(s) of EngineSensors", wanted);
   while (publisher.monitors() < wanted && !stop.requested()) std::this_thread::sleep_for(match_poll);
+  if (wanted > 0 && !stop.requested()) std::this_thread::sleep_for(match_settling);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ inline constexpr std::uint32_t schema_version = 1;
 
 /// EngineHealth.flags, EngineAuxiliary.flags, MonitorStatus.flags: bits.
 namespace estimate_flag {
-inline constexpr std::uint32_t converging = 1u << 0;  ///< filter started less than ten of its time constants ago
+inline constexpr std::uint32_t converging = 1u << 0;  ///< filter started less than seven of its slowest time constants ago
 inline constexpr std::uint32_t bridging = 1u << 1;    ///< a sensor of the design was predicted, not fused
 inline constexpr std::uint32_t degraded = 1u << 2;    ///< a design without some sensor flies
 inline constexpr std::uint32_t off_design = 1u << 3;  ///< outside the validity of the design's operating point

@@ -69,7 +69,7 @@ void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int6
     slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
   }
   if (result.residuals) {
-    convert(slot.cycle, result, stamp, residuals_sample_);
+    convert(result, stamp, residuals_sample_);
     residuals_.write(residuals_sample_);
   }
 }

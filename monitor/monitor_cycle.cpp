@@ -49,7 +49,7 @@ MonitorCycle::MonitorCycle(std::shared_ptr<const design::Design> design, const C
       du_previous_(actuators_),
       actuator_trim_(trims<estimation::ActuatorVector>(design_->model.controls)),
       sensor_fault_(static_cast<std::size_t>(sensors_)) {
-  result_.ratio.setZero(sensors_);
+  no_residuals();
 }
 
 const CycleResult& MonitorCycle::process(const Sample& sample) noexcept {
@@ -125,8 +125,15 @@ void MonitorCycle::check_sensors(const Sample& sample, int steps) noexcept {
   }
 }
 
+void MonitorCycle::no_residuals() noexcept {
+  result_.innovation.setZero(sensors_);
+  result_.innovation_variance.setZero(sensors_);
+  result_.ratio.setZero(sensors_);
+}
+
 void MonitorCycle::withhold() noexcept {
   ++counters_.withheld;
+  no_residuals();
   result_.residuals = true;
   result_.fused.reset();
   result_.rejected.reset();
@@ -148,7 +155,11 @@ void MonitorCycle::gate() noexcept {
   estimation::SensorMask plausible;
   for (int i = 0; i < sensors_; ++i)
     if (result_.reason[static_cast<std::size_t>(i)] == 0) plausible.set(static_cast<std::size_t>(i));
-  const GateDecision in_use = innovation_gate(filter_.innovation(), filter_.innovation_variance(),
+  result_.innovation = filter_.innovation();
+  result_.innovation_variance = filter_.innovation_variance();
+  if (!error_.settled())
+    result_.innovation_variance = result_.innovation_variance.cwiseMax(error_.innovation_variance());
+  const GateDecision in_use = innovation_gate(result_.innovation, result_.innovation_variance,
                                               plausible & filter_.sensors(), options_.checks.gate_sigma);
   result_.ratio = in_use.ratio;
   // Without a design there is no prediction worth comparing with: the checks alone requalify.
@@ -227,7 +238,7 @@ void MonitorCycle::judge() noexcept {
   result_.estimates = have_design_;
   if (have_design_) {
     ++counters_.processed;
-    if (error_.settled()) shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), events_);
+    shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), events_);
     limits_.judge(filter_.health(), filter_.auxiliary(), events_);
   } else {
     ++counters_.withheld;

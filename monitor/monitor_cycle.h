@@ -44,7 +44,8 @@ struct CycleResult {
   std::uint32_t flags = 0; ///< wire::estimate_flag
   estimation::SensorMask sensors_used, rejected, fused;
   std::array<std::uint32_t, estimation::max_sensors> reason{};  ///< wire::reject_reason bits by sensor
-  estimation::SensorVector ratio;
+  /// Sensor units, their squares, and the test ratio of the gate; all 0 where no filter ran.
+  estimation::SensorVector innovation, innovation_variance, ratio;
 };
 
 class MonitorCycle {
@@ -75,6 +76,7 @@ class MonitorCycle {
   void restart(double jump_s) noexcept;
   void restart_filter() noexcept;
   void check_sensors(const Sample& sample, int steps) noexcept;
+  void no_residuals() noexcept;
   void withhold() noexcept;
   void predict(int steps) noexcept;
   void gate() noexcept;

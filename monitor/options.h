@@ -26,8 +26,8 @@ struct ValidityOptions {
 };
 
 struct ShiftOptions {
-  double window_s = 6.0;           ///< the estimate is compared with itself this long ago
-  double persistence_s = 1.5;      ///< the change must last this long before it is named
+  double window_s = 4.0;           ///< the estimate is compared with itself this long ago
+  double persistence_s = 1.0;      ///< the change must last this long before it is named
   double false_alarm_per_hour = 1e-3;
 };
 

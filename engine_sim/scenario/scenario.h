@@ -50,7 +50,7 @@ struct Scenario {
 
   FlightCondition flight{10668.0, 0.8, 0.0};
   /// Demand for the new engine at the start; what it gives as fan speed is what the governor holds for the worn one.
-  Demand demand{DemandKind::t40_k, 1308.56};
+  Demand demand{DemandKind::t40_k, 1308.6};
   std::vector<ProfilePoint> profile;  ///< empty: the start is held
 
   std::array<Wear, health_count> wear{};

@@ -79,14 +79,13 @@ void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& 
   copy(filter.auxiliary_sigma_filter(), wire.sigma_filter());
 }
 
-void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineResiduals& wire) noexcept {
+void convert(const CycleResult& result, const Stamp& stamp, EngineResiduals& wire) noexcept {
   stamp_with(wire, stamp);
-  const auto& filter = cycle.filter();
-  wire.sensor_count(static_cast<std::uint32_t>(filter.innovation().size()));
+  wire.sensor_count(static_cast<std::uint32_t>(result.innovation.size()));
   wire.rejected(bits(result.rejected));
   wire.fused(bits(result.fused));
-  copy(filter.innovation(), wire.innovation());
-  copy(filter.innovation_variance(), wire.innovation_variance());
+  copy(result.innovation, wire.innovation());
+  copy(result.innovation_variance, wire.innovation_variance());
   copy(result.ratio, wire.test_ratio());
   std::copy(result.reason.begin(), result.reason.end(), wire.reason().begin());
 }

@@ -19,7 +19,7 @@ struct Stamp {
 void convert(const EngineSensors& wire, Sample& sample) noexcept;
 void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineHealth& wire) noexcept;
 void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineAuxiliary& wire) noexcept;
-void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineResiduals& wire) noexcept;
+void convert(const CycleResult& result, const Stamp& stamp, EngineResiduals& wire) noexcept;
 
 /// What this monitor estimates from what; may allocate.
 EngineDescription describe(const design::Design& design, std::uint32_t engine_id, std::uint32_t source_id);

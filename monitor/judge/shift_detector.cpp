@@ -38,8 +38,13 @@ ShiftDetector::Statistic ShiftDetector::make_statistic(const ShiftOptions& optio
   const Eigen::LLT<Eigen::MatrixXd> factor(scatter);
   if (factor.info() != Eigen::Success)
     throw std::invalid_argument("the design's noise covariance of the tuners is not positive definite");
-  const Eigen::MatrixXd H = steady.H(subset.sensors, Eigen::all);
-  const Eigen::MatrixXd response = (H * subset.W).partialPivLu().solve(H);  // column i is s_i
+  // S = lower rows of (I - Acl)^-1 K H: the filter's answer to a constant h; column i is s_i.
+  const auto size = subset.A.rows();
+  const Eigen::MatrixXd closed_loop = subset.A - subset.K * subset.C * subset.A;
+  const Eigen::MatrixXd response = (Eigen::MatrixXd::Identity(size, size) - closed_loop)
+                                       .partialPivLu()
+                                       .solve(subset.K * steady.H)
+                                       .bottomRows(subset.V.rows());
 
   Statistic s;
   const auto tuners = subset.V.rows();
@@ -49,6 +54,8 @@ ShiftDetector::Statistic ShiftDetector::make_statistic(const ShiftOptions& optio
   const double looks_per_hour = 3600.0 / subset.slowest_time_constant_s;
   s.threshold = chi_square_quantile(static_cast<int>(tuners),
                                     normal_quantile_above(options.false_alarm_per_hour / looks_per_hour));
+  s.settling_samples =
+      static_cast<std::int64_t>(std::ceil(4.0 * subset.slowest_time_constant_s / design.model.sample_time_s));
   return s;
 }
 
@@ -65,7 +72,7 @@ ShiftDetector::ShiftDetector(const ShiftOptions& options, const design::Design& 
 
 void ShiftDetector::reset() noexcept {
   next_ = filled_ = 0;
-  above_ = 0;
+  above_ = since_start_ = 0;
 }
 
 Event ShiftDetector::isolate(const estimation::TunerVector& change) const noexcept {
@@ -88,6 +95,10 @@ void ShiftDetector::judge(const estimation::TunerVector& tuners, int missing, Ev
     active_missing_ = missing;
     active_ = missing < 0 ? &full_ : &*missing_[static_cast<std::size_t>(missing)];
     reset();
+  }
+  if (since_start_ < active_->settling_samples) {
+    ++since_start_;
+    return;
   }
   const estimation::TunerVector change = filled_ == window_.size() ? tuners - window_[next_] : estimation::TunerVector();
   window_[next_] = tuners;

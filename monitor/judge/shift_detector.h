@@ -4,7 +4,7 @@
 //   d      = q[k] - q[k-w]                        t tuners, percent
 //   D      = d^T (2 S_q)^-1 d                     chi-square with t degrees of freedom while nothing changes;
 //                                                 S_q = V (Th S Th^T) V^T, both ends independent after w
-//   s_i    = (H W)^-1 H e_i                       how q answers to one percent of health parameter i in steady state
+//   s_i    = [(I-Acl)^-1 Kinf H]_q e_i            how q answers to one percent of health parameter i in steady state
 //   a_i    = s_i^T (2 S_q)^-1 d / g_i             its most likely size, g_i = s_i^T (2 S_q)^-1 s_i
 //   i*     = argmax a_i^2 g_i                     the single parameter that explains most (generalised likelihood ratio)
 //
@@ -44,6 +44,7 @@ class ShiftDetector {
     estimation::BoundedMatrix<estimation::max_health, estimation::max_tuners> signature;          ///< s_i^T (2 S_q)^-1
     estimation::HealthVector signature_information;                                               ///< g_i
     double threshold = 0.0;
+    std::int64_t settling_samples = 0;  ///< four of the slowest time constants: the start must not look like a change
   };
   static Statistic make_statistic(const ShiftOptions& options, const design::Design& design,
                                   const design::SubsetDesign& subset);
@@ -57,7 +58,7 @@ class ShiftDetector {
 
   std::vector<estimation::TunerVector> window_;  ///< ring of the last w estimates
   std::size_t next_ = 0, filled_ = 0;
-  std::int64_t persistence_samples_, above_ = 0;
+  std::int64_t persistence_samples_, above_ = 0, since_start_ = 0;
   Condition condition_;
   Event named_;
 };

@@ -1,0 +1,129 @@
+// ehm_watch: shows one engine's truth beside the monitor's estimates, live, and judges the run at its end.
+
+#include <unistd.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <chrono>
+#include <fastdds/dds/core/condition/WaitSet.hpp>
+#include <iostream>
+
+#include "deploy/demo/watch_output.h"
+#include "deploy/service/exit_code.h"
+#include "deploy/service/stop_signal.h"
+#include "idl/dds/endpoint.h"
+
+namespace {
+
+using namespace ehm;
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  std::uint32_t domain = 0, engine = 1;
+  std::string partition;
+  double seconds = 0.0;
+  double timeout_s = 30.0;
+  bool json = false;
+};
+
+/// One reader a topic, all emptied into the data.
+class Ears {
+ public:
+  Ears(wire::Participant& participant, const Options& options)
+      : engine_(options.engine), truth_(participant), health_(participant), auxiliary_(participant),
+        descriptions_(participant), status_(participant), events_(participant) {
+    wait_set_.attach_condition(health_.condition());
+  }
+  void listen(demo::WatchData& data, double seconds) {
+    wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(seconds)));
+    take(descriptions_, data);
+    take(truth_, data);
+    take(health_, data);
+    take(auxiliary_, data);
+    take(status_, data);
+    take(events_, data);
+  }
+
+ private:
+  template <class T>
+  void take(wire::Reader<T>& reader, demo::WatchData& data) {
+    T sample;
+    while (reader.take(sample))
+      if (sample.engine_id() == engine_) data.hear(sample);
+  }
+  std::uint32_t engine_;
+  wire::Reader<EngineTruth> truth_;
+  wire::Reader<EngineHealth> health_;
+  wire::Reader<EngineAuxiliary> auxiliary_;
+  wire::Reader<EngineDescription> descriptions_;
+  wire::Reader<MonitorStatus> status_;
+  wire::Reader<HealthEvent> events_;
+  eprosima::fastdds::dds::WaitSet wait_set_;
+  eprosima::fastdds::dds::ConditionSeq triggered_;
+};
+
+/// The flight is over when its time has passed, truth no longer advances and the monitor has accounted for the last sample.
+bool over(const demo::WatchData& data, const Options& options) {
+  return options.seconds > 0.0 && data.flight_time_s() > options.seconds - 0.1 && data.status() &&
+         data.status()->last_sequence() + 1 == data.published() && data.status()->samples_received() > 0 &&
+         data.status()->level() >= 3;
+}
+
+void watch(Ears& ears, demo::WatchData& data, const Options& options) {
+  const service::StopSignal stop;
+  const bool terminal = isatty(STDOUT_FILENO) && !options.json;
+  const auto period = std::chrono::milliseconds(terminal ? 200 : 1000);
+  const auto deadline = Clock::now() + std::chrono::duration<double>(options.seconds + options.timeout_s);
+  auto next = Clock::now();
+  if (terminal) std::cout << "\033[2J";
+  while (!stop.requested() && !over(data, options)) {
+    if (options.seconds > 0.0 && Clock::now() > deadline) return;
+    ears.listen(data, 0.05);
+    if (Clock::now() < next || options.json) continue;
+    next = Clock::now() + period;
+    if (terminal || data.estimates() > 0) std::cout << (terminal ? demo::table(data) : demo::line(data)) << std::flush;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Shows true and estimated health of one engine, live.\n" + std::string(service::exit_code_help)};
+  app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
+  app.add_option("--partition", options.partition, "DDS partition");
+  app.add_option("--engine", options.engine, "engine_id to show")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--seconds", options.seconds, "judge the run after so much flight: 1 is returned when a sample was lost "
+                                               "or an estimate is outside 3 published sigmas; 0 watches until Ctrl-C")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--timeout", options.timeout_s, "seconds beyond that after which it gives up")->capture_default_str();
+  app.add_flag("--json", options.json, "print nothing but the summary, as one JSON object");
+  app.set_version_flag("--version", std::string("ehm_watch " EHM_VERSION));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+  }
+
+  try {
+    wire::ParticipantOptions participant_options;
+    participant_options.domain = options.domain;
+    participant_options.name = "ehm_watch";
+    participant_options.partition = options.partition;
+    participant_options.on_incompatible = [](const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
+    wire::Participant participant(participant_options);
+    Ears ears(participant, options);
+    demo::WatchData data;
+    watch(ears, data, options);
+    std::cout << (options.json ? demo::json(data) : demo::summary(data));
+    if (options.seconds <= 0.0) return service::exit_ok;
+    const std::string verdict = demo::verdict(data, 3.0);
+    if (verdict.empty()) return service::exit_ok;
+    std::cerr << "ehm_watch: " << verdict << '\n';
+    return service::exit_failed;
+  } catch (const std::exception& e) {
+    std::cerr << "ehm_watch: " << e.what() << '\n';
+    return service::exit_failed;
+  }
+}

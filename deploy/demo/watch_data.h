@@ -1,0 +1,72 @@
+#pragma once
+// What ehm_watch has heard on the wire about one engine: latest values, truth and estimate paired by sequence number,
+// and the counts of its summary.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine_health.h"
+#include "monitor/realtime/latency_histogram.h"
+
+namespace ehm::demo {
+
+struct Row {
+  std::string name, unit;
+  double truth = 0.0, estimate = 0.0, sigma = 0.0;
+  /// |estimate - truth| in sigmas.
+  double deviation() const;
+};
+
+struct EventLine {
+  double time_s = 0.0;  ///< since the first sample
+  bool raised = false;
+  std::uint32_t kind = 0;
+  std::string channel, message;
+  double value = 0.0;
+};
+
+class WatchData {
+ public:
+  void hear(const EngineTruth& truth);
+  void hear(const EngineHealth& health);
+  void hear(const EngineAuxiliary& auxiliary);
+  void hear(const EngineDescription& description);
+  void hear(const MonitorStatus& status);
+  void hear(const HealthEvent& event);
+
+  /// Truth beside the latest estimate; empty until both and their description are there.
+  std::vector<Row> health() const;
+  std::vector<Row> auxiliary() const;
+  const std::vector<EventLine>& events() const { return events_; }
+  const std::optional<MonitorStatus>& status() const { return status_; }
+  const monitor::LatencyHistogram& latency() const { return latency_; }
+
+  /// Time of the flight that the latest estimate belongs to.
+  double flight_time_s() const;
+  std::uint64_t estimates() const { return estimates_; }
+  /// Samples that the simulator sent, by the number of the last one.
+  std::uint64_t published() const { return last_truth_ ? last_truth_->sequence_number() + 1 : 0; }
+  std::uint64_t received() const { return status_ ? status_->samples_received() : 0; }
+  std::uint64_t lost() const { return published() > received() ? published() - received() : 0; }
+
+ private:
+  const EngineTruth* truth_of(std::uint64_t sequence) const;
+
+  // Truth waits here for its estimate: a second of samples, by sequence number modulo the size.
+  std::array<std::optional<EngineTruth>, 64> recent_truth_;
+  std::optional<EngineTruth> last_truth_;
+  std::optional<EngineHealth> health_;
+  std::optional<EngineAuxiliary> auxiliary_;
+  std::optional<EngineDescription> description_;
+  std::optional<MonitorStatus> status_;
+  std::optional<std::int64_t> first_time_ns_;
+  std::vector<EventLine> events_;
+  monitor::LatencyHistogram latency_;
+  std::uint64_t estimates_ = 0;
+};
+
+}  // namespace ehm::demo

@@ -1,0 +1,162 @@
+// A hostile peer on the wire, and bad files: each mistake has its counter or its message, and the service goes on.
+
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <fstream>
+#include <limits>
+
+#include "tests/integration/pair.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::test;
+
+class BadSamplesTest : public PairTest {
+ protected:
+  void SetUp() override {
+    monitor_ = start_monitor({"--monitor-max-engines", "1", "--monitor-status-period-s", "0.1"});
+    ASSERT_TRUE(listener_.await([&] { return writer_.matched() == 2; }));
+    const auto design = nlohmann::json::parse(std::ifstream(design_file()));
+    for (const auto& channel : design["model"]["sensors"]) trim_.push_back(channel["trim"]);
+    actuator_trim_ = design["model"]["controls"][0]["trim"];
+  }
+  EngineSensors good() {
+    EngineSensors s;
+    s.engine_id(1);
+    s.schema(wire::schema_version);
+    s.source_id(9);
+    s.sequence_number(sequence_);
+    s.source_time_ns(1'000'000'000'000 + static_cast<std::int64_t>(sequence_) * 15'000'000);
+    s.altitude_m(10668.0);
+    s.mach(0.8);
+    s.actuator_count(1);
+    s.actuator()[0] = actuator_trim_;
+    s.sensor_count(static_cast<std::uint32_t>(trim_.size()));
+    s.sensor_valid((1u << trim_.size()) - 1);
+    // A trace of noise, since equal values would be stuck.
+    for (std::size_t i = 0; i < trim_.size(); ++i) s.sensor()[i] = trim_[i] * (1.0 + 1e-5 * static_cast<double>(sequence_ % 7));
+    ++sequence_;
+    return s;
+  }
+  /// Sends and waits until the monitor has counted it.
+  MonitorStatus send(const EngineSensors& sample) {
+    writer_.write(sample);
+    ++sent_;
+    EXPECT_TRUE(listener_.await([&] { return !listener_.status.empty() && listener_.status.back().samples_received() >= sent_; }));
+    return listener_.status.back();
+  }
+  std::unique_ptr<Process> monitor_;
+  wire::Writer<EngineSensors> writer_{participant_};
+  std::vector<double> trim_;
+  double actuator_trim_ = 0.0;
+  std::uint64_t sequence_ = 0, sent_ = 0;
+};
+
+TEST_F(BadSamplesTest, EachHasItsCounter) {
+  for (int i = 0; i < 5; ++i) send(good());
+  EngineSensors s = good();
+  s.sensor()[2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(send(s).sensor_rejections(), 1u);
+  s = good();
+  s.sensor()[3] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(send(s).sensor_rejections(), 2u);
+  s = good();
+  s.sensor()[4] = 10.0 * trim_[4];
+  EXPECT_EQ(send(s).sensor_rejections(), 3u);
+  ASSERT_TRUE(listener_.await([&] { return listener_.residuals.size() == 8; }));
+  EXPECT_EQ(listener_.residuals[5].reason()[2], wire::reject_reason::not_finite);
+  EXPECT_EQ(listener_.residuals[6].reason()[3], wire::reject_reason::not_finite);
+  EXPECT_TRUE(listener_.residuals[7].reason()[4] & wire::reject_reason::range);
+
+  s = good();
+  send(s);
+  EXPECT_EQ(send(s).samples_duplicated(), 1u);
+  const EngineSensors late = good(), early = good();
+  send(early);
+  EXPECT_EQ(send(late).samples_reordered(), 1u);
+  EXPECT_EQ(listener_.status.back().samples_lost(), 1u);  // the late one's place in the sequence was taken as lost
+
+  s = good();
+  s.sensor_count(99);
+  EXPECT_EQ(send(s).samples_malformed(), 1u);
+  s = good();
+  s.schema(77);
+  EXPECT_EQ(send(s).samples_malformed(), 2u);
+  s = good();
+  s.actuator()[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(send(s).samples_malformed(), 3u);
+
+  s = good();
+  s.engine_id(2);
+  writer_.write(s);
+  ASSERT_TRUE(listener_.await([&] { return listener_.status.back().unknown_engine_samples() == 1; }));
+
+  const std::size_t estimates = listener_.health.size();
+  send(good());
+  EXPECT_TRUE(listener_.await([&] { return listener_.health.size() == estimates + 1; }));
+  EXPECT_TRUE(monitor_->running());
+}
+
+TEST_F(BadSamplesTest, TimeJumpingBackwardsRestartsTheFilterAndSaysSo) {
+  for (int i = 0; i < 5; ++i) send(good());
+  EngineSensors s = good();
+  s.source_time_ns(s.source_time_ns() - 100'000'000'000);
+  EXPECT_EQ(send(s).filter_restarts(), 1u);
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }));
+}
+
+class BadFilesTest : public PairTest {
+ protected:
+  /// Runs a program to its end; returns its exit code and, through `log`, what it said.
+  std::optional<int> run(const std::vector<std::string>& arguments, std::string& log) {
+    Process process(arguments);
+    const auto code = process.wait(seconds(20));
+    log = process.log();
+    return code;
+  }
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
+    std::string log;
+    EXPECT_EQ(run(arguments, log), 2) << log;
+    EXPECT_NE(log.find(message), std::string::npos) << log;
+  }
+};
+
+TEST_F(BadFilesTest, TheMonitorNamesWhatIsWrong) {
+  const std::string good = design_file();
+  expect_refused({monitor_program(), "--monitor-design", "nowhere.json"}, "nowhere.json");
+  std::string text = nlohmann::json::parse(std::ifstream(good)).dump(1);
+  expect_refused({monitor_program(), "--monitor-design", file("truncated.json", text.substr(0, text.size() / 2))}, "truncated.json");
+  auto edited = nlohmann::json::parse(text);
+  edited["model"]["health"][0]["sigma"] = 0.5;
+  expect_refused({monitor_program(), "--monitor-design", file("edited.json", edited.dump())}, "hash");
+  edited["schema"] = "ehm-design/0";
+  expect_refused({monitor_program(), "--monitor-design", file("older.json", edited.dump())}, "ehm-design/0");
+  expect_refused({monitor_program(), "--config", file("m.toml", "[checks]\ngate_sigma = 100\n")},
+                 "m.toml:2: 'checks.gate_sigma' is 100, allowed is a number from 2 to 20 sigma");
+  expect_refused({monitor_program(), "--monitor-design", good, "--config", file("limit.toml", "[[limit]]\nquantity = \"T41\"\nmax = 1.0\n")},
+                 "limit.quantity is 'T41', which the design does not estimate");
+  expect_refused({monitor_program()}, "no design: set monitor.design");
+  expect_refused({monitor_program(), "--unknown"}, "--unknown");
+}
+
+TEST_F(BadFilesTest, TheSimulatorNamesWhatIsWrong) {
+  expect_refused({simulator_program(), "--config", "nowhere.toml"}, "nowhere.toml: no such file");
+  expect_refused({simulator_program(), "--flight-mach", "2"}, "flag --flight-mach: 'flight.mach' is 2, allowed is a number from 0 to 0.95");
+  expect_refused({simulator_program(), "--config", file("s.toml", "[run\n")}, "not valid TOML");
+}
+
+TEST_F(BadFilesTest, AMissingProfilesFileStopsWithItsName) {
+  std::string log;
+  EXPECT_EQ(run({monitor_program(), "--monitor-design", design_file(), "--dds-profiles-file", "nowhere.xml"}, log), 1);
+  EXPECT_NE(log.find("dds profiles file 'nowhere.xml' cannot be loaded"), std::string::npos) << log;
+}
+
+TEST_F(BadFilesTest, CheckConfigAcceptsTheShippedFiles) {
+  std::string log;
+  EXPECT_EQ(run({monitor_program(), "--check-config", "--config", EHM_SOURCE_DIR "/deploy/demo/monitor.toml", "--monitor-design", design_file()}, log), 0) << log;
+  EXPECT_EQ(run({simulator_program(), "--check-config", "--config", EHM_SOURCE_DIR "/deploy/demo/engine_sim.toml"}, log), 0) << log;
+}
+
+}  // namespace

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Dependencies point one way (DESIGN.md): greps the includes of each layer for what it must not know.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+failures=0
+
+# forbid WHY PATTERN PATH...: no file below the paths includes what matches the pattern.
+forbid() {
+  local why=$1 pattern=$2
+  shift 2
+  local found
+  for path in "$@"; do [ -e "$path" ] || { echo "layers: $path does not exist"; failures=$((failures + 1)); }; done
+  found=$(grep -rnE --include='*.h' --include='*.cpp' "#include [<\"]($pattern)" "$@" | grep -v '/maps/fit_')
+  if [ -n "$found" ]; then
+    echo "layers: $why"
+    echo "$found"
+    failures=$((failures + 1))
+  fi
+}
+
+dds='fastdds|fastrtps|engine_health|idl/dds|idl/topics|idl/layout'
+outside="$dds|spdlog|chrono|thread|mutex|fstream|iostream|cstdio|time\.h|filesystem"
+pure=(engine_sim/model engine_sim/control engine_sim/sensors monitor/estimation monitor/checks monitor/judge
+  monitor/monitor_cycle.h monitor/monitor_cycle.cpp)
+
+forbid "physics and estimation know no DDS, clock, thread, log or file" "$outside" "${pure[@]}"
+forbid "the truth does not know the estimator" 'monitor/|tuner_design/' engine_sim
+forbid "the model knows nothing but itself" 'engine_sim/(control|sensors|scenario|dds)|deploy/|idl/' engine_sim/model
+forbid "estimation stands below everything" 'monitor/(checks|judge|dds|design|monitor_cycle|realtime)|engine_sim|tuner_design|idl/' monitor/estimation
+forbid "the monitor flies without the bench and without the simulator" 'tuner_design/|engine_sim/(control|sensors|scenario|dds|simulation)' monitor
+forbid "the bench is offline: no DDS" "$dds" tuner_design monitor/design
+forbid "the wire knows no service" 'engine_sim/|monitor/|tuner_design/' idl
+forbid "nothing includes the tests" 'tests/' engine_sim monitor tuner_design idl deploy
+
+[ "$failures" -eq 0 ] && echo "layers: every include points the right way"
+exit "$failures"

@@ -1,0 +1,128 @@
+// The schemas of both services: their files, tables and cross checks.
+
+#include "engine_sim/scenario/scenario_file.h"
+#include "monitor/config.h"
+#include "tests/unit/deploy/config_file.h"
+
+namespace {
+
+using namespace ehm;
+using test::ConfigFile;
+using test::message_of;
+
+engine::SimConfig load_scenario(const std::string& toml) {
+  const ConfigFile file(toml);
+  engine::SimConfig config;
+  config::Schema schema;
+  engine::declare(schema, config);
+  schema.load(file.path());
+  engine::finish_config(config);
+  return config;
+}
+
+std::string scenario_error(const std::string& toml) {
+  const std::string message = message_of<config::ConfigError>([&] { load_scenario(toml); });
+  const auto place = message.find(".toml:");
+  return place == std::string::npos ? message : message.substr(place + 6);
+}
+
+monitor::MonitorConfig load_monitor(const std::string& toml) {
+  const ConfigFile file(toml);
+  monitor::MonitorConfig config;
+  config::Schema schema;
+  monitor::declare(schema, config);
+  schema.load(file.path());
+  monitor::finish_config(config);
+  return config;
+}
+
+std::string monitor_error(const std::string& toml) {
+  const std::string message = message_of<config::ConfigError>([&] { load_monitor(toml); });
+  const auto place = message.find(".toml:");
+  return place == std::string::npos ? message : message.substr(place + 6);
+}
+
+TEST(ScenarioFile, ReadsWearFaultsAndProfile) {
+  const auto config = load_scenario(R"(
+[engine]
+id = 3
+[run]
+rate = "max"
+[[wear]]
+parameter = "hpc_flow"
+initial = -0.01
+drift_per_hour = -3.6
+[[health_change]]
+time_s = 10
+parameter = "lpt_efficiency"
+change = -0.02
+[[sensor_fault]]
+time_s = 5
+sensor = "T48"
+kind = "drift"
+magnitude = 0.5
+[[profile]]
+time_s = 0
+n1_rpm = 3600
+[[profile]]
+time_s = 60
+n1_rpm = 3500
+mach = 0.78
+)");
+  const engine::Scenario& s = config.scenario;
+  EXPECT_EQ(s.engine_id, 3);
+  EXPECT_DOUBLE_EQ(config.rate_factor(), 0.0);
+  EXPECT_DOUBLE_EQ(s.wear[engine::hpc_flow].initial, -0.01);
+  EXPECT_DOUBLE_EQ(s.wear[engine::hpc_flow].drift_per_s, -0.001);
+  ASSERT_EQ(s.health_changes.size(), 1u);
+  EXPECT_EQ(s.health_changes[0].parameter, static_cast<std::size_t>(engine::lpt_efficiency));
+  ASSERT_EQ(s.faults.size(), 1u);
+  EXPECT_EQ(s.faults[0].sensor, 6u);
+  EXPECT_EQ(s.faults[0].fault.kind, engine::FaultKind::drift);
+  ASSERT_EQ(s.profile.size(), 2u);
+  EXPECT_DOUBLE_EQ(s.profile[0].flight.altitude_m, 10668.0);  // from [flight]
+  EXPECT_DOUBLE_EQ(s.profile[1].flight.mach, 0.78);
+}
+
+TEST(ScenarioFile, NamesEveryMistake) {
+  EXPECT_EQ(scenario_error("[flight]\nmach = 1.2\n"), "2: 'flight.mach' is 1.2, allowed is a number from 0 to 0.95");
+  EXPECT_EQ(scenario_error("[[wear]]\nparameter = \"hpc\"\n"),
+            "2: 'wear.parameter' is 'hpc', allowed is one of fan_efficiency, fan_flow, lpc_efficiency, lpc_flow, "
+            "hpc_efficiency, hpc_flow, hpt_efficiency, hpt_flow, lpt_efficiency, lpt_flow");
+  EXPECT_EQ(scenario_error("[[sensor_fault]]\ntime_s = 1\nsensor = \"T48\"\nkind = \"broken\"\n"),
+            "4: 'sensor_fault.kind' is 'broken', allowed is one of bias, drift, stuck, dropout, noise");
+  EXPECT_EQ(scenario_error("[run]\nrate = \"fast\"\n"),
+            "'run.rate' is 'fast', allowed is a number from 0.01 to 1000, or max");
+  EXPECT_EQ(scenario_error("[[profile]]\ntime_s = 5\nn1_rpm = 3000\n[[profile]]\ntime_s = 5\nn1_rpm = 3100\n"),
+            "'profile.time_s' is 5 after 5, allowed are rising times");
+  EXPECT_EQ(scenario_error("wear = 3\n"), "1: 'wear' must be tables, written [[wear]]");
+}
+
+TEST(MonitorConfig, ReadsEnginesAndLimits) {
+  const auto config = load_monitor(R"(
+[[engine]]
+ids = [1, 2]
+design = "a.json"
+[[limit]]
+quantity = "T40"
+max = 1380
+)");
+  ASSERT_EQ(config.engines.size(), 1u);
+  EXPECT_EQ(config.engines[0].ids.size(), 2u);
+  ASSERT_EQ(config.cycle.limits.size(), 1u);
+  EXPECT_DOUBLE_EQ(config.cycle.limits[0].max, 1380.0);
+}
+
+TEST(MonitorConfig, NamesEveryMistake) {
+  EXPECT_EQ(monitor_error(""),
+            "no design: set monitor.design (--monitor-design FILE) or an [[engine]] table; tuner_design makes the file");
+  EXPECT_EQ(monitor_error("[[engine]]\nids = [1]\ndesign = \"a\"\n[[engine]]\nids = [1]\ndesign = \"b\"\n"),
+            "'engine.ids' names engine 1 twice; one design per engine is allowed");
+  EXPECT_EQ(monitor_error("[[limit]]\nquantity = \"T40\"\n"),
+            "1: 'limit' for 'T40' needs min, max or both, with min below max");
+  EXPECT_EQ(monitor_error("[monitor]\nmax_engines = 0\n"),
+            "2: 'monitor.max_engines' is 0, allowed is a whole number from 1 to 1000 engines");
+  EXPECT_EQ(monitor_error("[dds]\ndomain = 233\n"), "2: 'dds.domain' is 233, allowed is a whole number from 0 to 232");
+}
+
+}  // namespace

@@ -1,0 +1,70 @@
+// The data path allocates nothing after start: every operator new of the process is counted.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#include "tests/unit/monitor/cycle/flight.h"
+
+namespace {
+std::size_t allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto a = static_cast<std::size_t>(alignment);
+  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace {
+
+using namespace ehm;
+
+TEST(Allocation, TheCounterCounts) {
+  const std::size_t before = allocations;
+  ::operator delete(::operator new(1));  // a new expression could be optimised away
+  EXPECT_EQ(allocations, before + 1);
+}
+
+TEST(Allocation, NoneOnTheCyclePath) {
+  const auto design = test::made_up_design();
+  test::Flight flight(design->model, Eigen::VectorXd::Constant(10, -0.01), 1);
+  monitor::MonitorCycle cycle(design, monitor::CycleOptions{});
+  // The flight visits every branch: converging, bridging, excluded sensor, no design, off design, shift, gap, restart.
+  std::vector<monitor::Sample> samples;
+  for (int k = 0; k < 6000; ++k) {
+    if (k == 1500) flight.set_health(Eigen::VectorXd::Constant(10, -0.05));
+    monitor::Sample s = flight.next();
+    if (k >= 2500 && k < 2600) s.sensor[1] = std::numeric_limits<double>::quiet_NaN();
+    if (k >= 3500 && k < 3600) s.sensor_valid &= ~0b11u;
+    if (k >= 4500 && k < 4510) s.actuator[0] *= 1.5;
+    if (k >= 5000 && k < 5010) continue;
+    if (k >= 5500) s.source_time_ns -= 60'000'000'000;
+    samples.push_back(s);
+  }
+  const std::size_t before = allocations;
+  for (const auto& s : samples) {
+    cycle.process(s);
+    cycle.no_input(0.001);
+    cycle.clear_events();
+  }
+  cycle.reset();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(cycle.counters().withheld, 0u);
+  EXPECT_GT(cycle.counters().restarts, 1u);
+  EXPECT_GT(cycle.events().raised_total(), 4u);
+}
+
+}  // namespace

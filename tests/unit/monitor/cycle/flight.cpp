@@ -1,0 +1,46 @@
+#include "tests/unit/monitor/cycle/flight.h"
+
+#include <cmath>
+
+#include "monitor/estimation/steady_gain.h"
+#include "tuner_design/design_tuner.h"
+
+namespace ehm::test {
+
+std::shared_ptr<const design::Design> made_up_design() {
+  static const auto design =
+      std::make_shared<const design::Design>(bench::design_tuner(made_up_model(7, 10), design::DesignOptions{}));
+  return design;
+}
+
+Flight::Flight(const estimation::LinearModel& model, const Eigen::VectorXd& h, std::uint64_t seed)
+    : model_(model), h_(h), x_(estimation::steady_gain(model).X * h), random_(seed) {}
+
+monitor::Sample Flight::next() {
+  const Eigen::VectorXd noise =
+      model_.sensor_noise_sigma.cwiseProduct(random_.normal_vector(model_.sensor_noise_sigma.size()));
+  const Eigen::VectorXd y = model_.C * x_ + model_.M * h_ + noise;
+  monitor::Sample s;
+  s.schema = 1;
+  s.sequence = sequence_;
+  s.source_time_ns = static_cast<std::int64_t>(
+      std::llround(1e9 * model_.sample_time_s * static_cast<double>(sequence_)));
+  if (model_.operating_point) s.flight = *model_.operating_point;
+  s.sensor_count = static_cast<std::uint32_t>(model_.sensors.size());
+  s.sensor_valid = (1u << s.sensor_count) - 1u;
+  s.actuator_count = static_cast<std::uint32_t>(model_.controls.size());
+  for (std::size_t i = 0; i < model_.sensors.size(); ++i)
+    s.sensor[i] = model_.sensors[i].trim + y(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < model_.controls.size(); ++i) s.actuator[i] = model_.controls[i].trim;
+  x_ = model_.A * x_ + model_.L * h_;
+  ++sequence_;
+  return s;
+}
+
+Eigen::VectorXd Flight::auxiliary() const {
+  Eigen::VectorXd z = model_.F * x_ + model_.N * h_;
+  for (std::size_t i = 0; i < model_.auxiliary.size(); ++i) z(static_cast<Eigen::Index>(i)) += model_.auxiliary[i].trim;
+  return z;
+}
+
+}  // namespace ehm::test

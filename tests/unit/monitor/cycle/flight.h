@@ -1,0 +1,35 @@
+#pragma once
+// Sensor samples from the linear truth of a made-up engine with seven sensors and ten health parameters.
+
+#include <memory>
+#include <optional>
+
+#include "monitor/design/design.h"
+#include "monitor/monitor_cycle.h"
+#include "monitor/sample.h"
+#include "tests/unit/tuner_design/test_models.h"
+
+namespace ehm::test {
+
+/// Design of the made-up engine; made once.
+std::shared_ptr<const design::Design> made_up_design();
+
+class Flight {
+ public:
+  /// Starts in steady state with health `h` (channel units).
+  Flight(const estimation::LinearModel& model, const Eigen::VectorXd& h, std::uint64_t seed);
+
+  /// The next sample in order; advances the engine.
+  monitor::Sample next();
+  void set_health(const Eigen::VectorXd& h) { h_ = h; }
+  const Eigen::VectorXd& health() const { return h_; }
+  Eigen::VectorXd auxiliary() const;
+
+ private:
+  estimation::LinearModel model_;
+  Eigen::VectorXd h_, x_;
+  Random random_;
+  std::uint64_t sequence_ = 0;
+};
+
+}  // namespace ehm::test

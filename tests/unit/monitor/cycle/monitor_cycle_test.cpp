@@ -1,0 +1,234 @@
+#include "monitor/monitor_cycle.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "idl/wire_values.h"
+#include "tests/unit/monitor/cycle/flight.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::monitor;
+namespace reason = ehm::wire::reject_reason;
+namespace flag = ehm::wire::estimate_flag;
+
+constexpr int sensor = 2;  // the one that the faults hit
+constexpr int settle = 2000;
+
+class MonitorCycleTest : public testing::Test {
+ protected:
+  MonitorCycleTest() {
+    test::Random random(7);
+    flight_.emplace(design_->model, design_->model.health_sigma.cwiseProduct(random.normal_vector(10)), 11);
+  }
+  /// Flies on; `spoil` may change each sample before the cycle sees it.
+  template <class Spoil>
+  const CycleResult& fly(int samples, Spoil spoil) {
+    for (int i = 0; i < samples; ++i) {
+      Sample s = flight_->next();
+      spoil(s);
+      cycle_.process(s);
+      for (const Event& e : cycle_.events()) events_.push_back(e);
+      cycle_.clear_events();
+    }
+    return cycle_.last_result();
+  }
+  const CycleResult& fly(int samples) {
+    return fly(samples, [](Sample&) {});
+  }
+  int count(wire::EventKind kind, bool raised) const {
+    return static_cast<int>(std::count_if(events_.begin(), events_.end(),
+                                          [&](const Event& e) { return e.kind == kind && e.raised == raised; }));
+  }
+  void expect_within_sigmas(double sigmas) {
+    for (Eigen::Index i = 0; i < 10; ++i)
+      EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), sigmas * cycle_.error().health_sigma()(i)) << i;
+  }
+  double noise(int i) const { return design_->model.sensor_noise_sigma(i); }
+
+  std::shared_ptr<const design::Design> design_ = test::made_up_design();
+  std::optional<test::Flight> flight_;
+  MonitorCycle cycle_{design_, CycleOptions{}};
+  std::vector<Event> events_;
+};
+
+TEST_F(MonitorCycleTest, EstimatesAreWithinTheirPublishedSigma) {
+  const auto& result = fly(settle);
+  EXPECT_TRUE(result.estimates);
+  EXPECT_EQ(result.flags, 0u);
+  EXPECT_EQ(result.fused.count(), 7u);
+  expect_within_sigmas(3.0);
+  EXPECT_EQ(cycle_.counters().processed, static_cast<std::uint64_t>(settle));
+  EXPECT_TRUE(events_.empty());
+}
+
+TEST_F(MonitorCycleTest, IsHonestWhileItConverges) {
+  const auto& result = fly(1);
+  EXPECT_TRUE(result.flags & flag::converging);
+  // After one sample little is known: the sigma is nearly the prior's.
+  for (Eigen::Index i = 0; i < 10; ++i)
+    EXPECT_NEAR(cycle_.error().health_sigma()(i), design_->model.health_sigma(i), 0.2 * design_->model.health_sigma(i));
+  fly(settle);
+  for (Eigen::Index i = 0; i < 10; ++i)
+    EXPECT_NEAR(cycle_.error().health_sigma()(i), cycle_.filter().health_sigma_total()(i),
+                1e-3 * cycle_.filter().health_sigma_total()(i));
+}
+
+TEST_F(MonitorCycleTest, BridgesAFewMissingValues) {
+  fly(settle);
+  const auto& result = fly(5, [](Sample& s) { s.sensor[sensor] = std::numeric_limits<double>::quiet_NaN(); });
+  EXPECT_TRUE(result.estimates);
+  EXPECT_TRUE(result.flags & flag::bridging);
+  EXPECT_FALSE(result.flags & flag::degraded);
+  EXPECT_EQ(result.reason[sensor], reason::not_finite);
+  EXPECT_EQ(cycle_.counters().sensor_rejections, 5u);
+  expect_within_sigmas(3.0);
+}
+
+TEST_F(MonitorCycleTest, AMissingSensorsDesignTakesOverAndGoesAgain) {
+  fly(settle);
+  const auto& result = fly(300, [](Sample& s) { s.sensor_valid &= ~(1u << sensor); });
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 1);
+  EXPECT_TRUE(result.flags & flag::degraded);
+  EXPECT_FALSE(result.sensors_used[sensor]);
+  EXPECT_EQ(result.reason[sensor], reason::source_invalid | reason::excluded);
+  expect_within_sigmas(3.0);
+  fly(settle, [](Sample& s) { s.sensor_valid &= ~(1u << sensor); });
+  for (Eigen::Index i = 0; i < 10; ++i) {
+    EXPECT_GE(cycle_.error().health_sigma()(i), 0.999 * cycle_.filter().model().full.health_sigma_total(i)) << i;
+    EXPECT_LE(cycle_.error().health_sigma()(i), 1.001 * design_->model.health_sigma(i)) << i;
+  }
+  fly(199);
+  EXPECT_FALSE(cycle_.last_result().sensors_used[sensor]);
+  fly(2);
+  EXPECT_TRUE(cycle_.last_result().sensors_used[sensor]);
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 1);
+  fly(settle);
+  expect_within_sigmas(3.0);
+}
+
+TEST_F(MonitorCycleTest, ABiasedSensorIsExcludedAndStaysOut) {
+  fly(settle);
+  fly(3000, [&](Sample& s) { s.sensor[sensor] += 12.0 * noise(sensor); });
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 1);
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 0);
+  EXPECT_FALSE(cycle_.last_result().sensors_used[sensor]);
+  EXPECT_TRUE(cycle_.last_result().reason[sensor] & reason::innovation_gate);
+  expect_within_sigmas(3.0);
+}
+
+TEST_F(MonitorCycleTest, AnEngineChangeIsFollowedNotRejected) {
+  fly(settle);
+  Eigen::VectorXd h = flight_->health();
+  h(4) -= 0.06;
+  flight_->set_health(h);
+  fly(settle);
+  EXPECT_EQ(cycle_.filter().sensor_set(), estimation::SensorSet::full());
+  EXPECT_EQ(count(wire::EventKind::health_shift, true), 1);
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 0);
+}
+
+TEST_F(MonitorCycleTest, WithTwoSensorsGoneEstimatesAreWithheldAndComeBack) {
+  fly(settle);
+  const auto& result = fly(50, [](Sample& s) { s.sensor_valid &= ~0b110u; });
+  EXPECT_FALSE(result.estimates);
+  EXPECT_TRUE(result.residuals);
+  EXPECT_EQ(count(wire::EventKind::no_design, true), 1);
+  EXPECT_GT(cycle_.counters().withheld, 40u);
+  fly(250);
+  EXPECT_TRUE(cycle_.last_result().estimates);
+  EXPECT_TRUE(cycle_.last_result().flags & flag::converging);  // from a cold start, and it says so
+  EXPECT_EQ(count(wire::EventKind::no_design, false), 1);
+  fly(settle);
+  expect_within_sigmas(3.0);
+}
+
+TEST_F(MonitorCycleTest, OffDesignEstimatesAreWithheld) {
+  fly(settle);
+  const double trim = design_->model.controls[0].trim;
+  const auto& result = fly(10, [&](Sample& s) { s.actuator[0] = 1.2 * trim; });
+  EXPECT_FALSE(result.estimates);
+  EXPECT_TRUE(result.flags & flag::off_design);
+  EXPECT_EQ(result.reason[0] & reason::withheld, reason::withheld);
+  EXPECT_EQ(count(wire::EventKind::operating_point, true), 1);
+  fly(1);
+  EXPECT_TRUE(cycle_.last_result().estimates);
+  EXPECT_EQ(count(wire::EventKind::operating_point, false), 1);
+}
+
+TEST_F(MonitorCycleTest, LostSamplesAreCountedAndPredictedOver) {
+  fly(settle);
+  for (int i = 0; i < 20; ++i) flight_->next();
+  const auto& result = fly(1);
+  EXPECT_TRUE(result.estimates);
+  EXPECT_EQ(cycle_.counters().lost, 20u);
+  expect_within_sigmas(3.0);
+}
+
+TEST_F(MonitorCycleTest, MalformedDuplicateAndReorderedSamplesChangeNothing) {
+  fly(settle);
+  const Sample first = flight_->next(), second = flight_->next();
+  cycle_.process(first);
+  cycle_.process(second);
+  const estimation::HealthVector before = cycle_.filter().health();
+  cycle_.process(second);
+  cycle_.process(first);
+  Sample malformed = flight_->next();
+  malformed.sensor_count = 3;
+  EXPECT_FALSE(cycle_.process(malformed).residuals);
+  EXPECT_EQ(cycle_.counters().duplicated, 1u);
+  EXPECT_EQ(cycle_.counters().reordered, 1u);
+  EXPECT_EQ(cycle_.counters().malformed, 1u);
+  EXPECT_EQ(cycle_.filter().health(), before);
+}
+
+TEST_F(MonitorCycleTest, ARestartedSourceRestartsTheFilterAndSaysSo) {
+  fly(settle);
+  test::Flight again(design_->model, flight_->health(), 3);
+  Sample s = again.next();
+  s.source_time_ns += 1'000'000'000'000;
+  cycle_.process(s);
+  EXPECT_EQ(cycle_.counters().restarts, 1u);
+  ASSERT_EQ(cycle_.events().size(), 1u);
+  EXPECT_EQ(cycle_.events().begin()->kind, wire::EventKind::filter_restart);
+  EXPECT_TRUE(cycle_.last_result().flags & flag::converging);
+}
+
+TEST_F(MonitorCycleTest, LostInputIsRaisedOnceAndClearedByTheNextSample) {
+  fly(10);
+  cycle_.no_input(0.044);
+  EXPECT_FALSE(cycle_.stale());
+  cycle_.no_input(0.046);
+  cycle_.no_input(0.061);
+  EXPECT_TRUE(cycle_.stale());
+  EXPECT_EQ(cycle_.events().size(), 1u);
+  cycle_.clear_events();
+  fly(1);
+  EXPECT_FALSE(cycle_.stale());
+  EXPECT_EQ(count(wire::EventKind::input_lost, false), 1);
+}
+
+TEST_F(MonitorCycleTest, SameSamplesSameBits) {
+  MonitorCycle other(design_, CycleOptions{});
+  for (int i = 0; i < 500; ++i) {
+    const Sample s = flight_->next();
+    cycle_.process(s);
+    other.process(s);
+  }
+  EXPECT_EQ(cycle_.filter().health(), other.filter().health());
+  EXPECT_EQ(cycle_.error().health_sigma(), other.error().health_sigma());
+}
+
+TEST_F(MonitorCycleTest, ResetStartsCold) {
+  fly(settle);
+  cycle_.reset();
+  const auto& result = fly(1);
+  EXPECT_TRUE(result.flags & flag::converging);
+  EXPECT_EQ(cycle_.counters().restarts, 1u);
+}
+
+}  // namespace

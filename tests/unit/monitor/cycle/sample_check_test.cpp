@@ -1,0 +1,107 @@
+#include "monitor/checks/sample_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace ehm::monitor;
+
+constexpr double sample_time_s = 0.015;
+
+Sample sample(std::uint64_t sequence, double time_s) {
+  Sample s;
+  s.schema = 1;
+  s.sequence = sequence;
+  s.source_time_ns = static_cast<std::int64_t>(std::llround(time_s * 1e9));
+  s.sensor_count = 7;
+  s.actuator_count = 1;
+  return s;
+}
+
+SampleCheck check() { return SampleCheck(CheckOptions{}, 7, 1, sample_time_s); }
+
+TEST(SampleCheck, AcceptsSamplesInOrder) {
+  SampleCheck c = check();
+  EXPECT_EQ(c.decide(sample(0, 0.0)).verdict, SampleVerdict::first);
+  const auto next = c.decide(sample(1, 0.015));
+  EXPECT_EQ(next.verdict, SampleVerdict::accepted);
+  EXPECT_EQ(next.steps, 1);
+  EXPECT_EQ(next.lost, 0u);
+}
+
+TEST(SampleCheck, CountsTheSamplesOfAGapAndPredictsOverThem) {
+  SampleCheck c = check();
+  c.decide(sample(10, 0.0));
+  const auto d = c.decide(sample(14, 4 * sample_time_s));
+  EXPECT_EQ(d.verdict, SampleVerdict::accepted);
+  EXPECT_EQ(d.lost, 3u);
+  EXPECT_EQ(d.steps, 4);
+}
+
+TEST(SampleCheck, DropsDuplicatesAndOvertakenSamples) {
+  SampleCheck c = check();
+  c.decide(sample(5, 1.0));
+  c.decide(sample(6, 1.015));
+  EXPECT_EQ(c.decide(sample(6, 1.015)).verdict, SampleVerdict::duplicate);
+  EXPECT_EQ(c.decide(sample(5, 1.0)).verdict, SampleVerdict::reordered);
+  EXPECT_EQ(c.decide(sample(7, 1.03)).verdict, SampleVerdict::accepted);
+}
+
+TEST(SampleCheck, RestartsWhenTheSourceStartedAnew) {
+  SampleCheck c = check();
+  c.decide(sample(1000, 15.0));
+  const auto d = c.decide(sample(0, 15.2));  // number falls, clock goes on
+  EXPECT_EQ(d.verdict, SampleVerdict::restarted);
+  EXPECT_EQ(d.lost, 0u);
+}
+
+TEST(SampleCheck, RestartsWhenTimeJumpsBackwards) {
+  SampleCheck c = check();
+  c.decide(sample(1000, 100.0));
+  const auto d = c.decide(sample(1001, 50.0));
+  EXPECT_EQ(d.verdict, SampleVerdict::restarted);
+  EXPECT_NEAR(d.jump_s, -50.0, 1e-9);
+}
+
+TEST(SampleCheck, RestartsAfterAGapLongerThanAllowedAndStillCountsIt) {
+  SampleCheck c = check();
+  c.decide(sample(0, 0.0));
+  const auto d = c.decide(sample(201, 201 * sample_time_s));  // 3 s, 2 s are allowed
+  EXPECT_EQ(d.verdict, SampleVerdict::restarted);
+  EXPECT_EQ(d.lost, 200u);
+}
+
+TEST(SampleCheck, RefusesWrongSchemaCountsAndFlightConditions) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  auto expect_malformed = [](Sample s) {
+    SampleCheck c = check();
+    EXPECT_EQ(c.decide(s).verdict, SampleVerdict::malformed);
+  };
+  Sample s = sample(0, 0.0);
+  s.schema = 2;
+  expect_malformed(s);
+  s = sample(0, 0.0);
+  s.sensor_count = 6;
+  expect_malformed(s);
+  s = sample(0, 0.0);
+  s.actuator_count = 0;
+  expect_malformed(s);
+  s = sample(0, 0.0);
+  s.flight.mach = nan;
+  expect_malformed(s);
+  s = sample(0, 0.0);
+  s.actuator[0] = std::numeric_limits<double>::infinity();
+  expect_malformed(s);
+}
+
+TEST(SampleCheck, IgnoresEntriesBeyondTheCounts) {
+  SampleCheck c = check();
+  Sample s = sample(0, 0.0);
+  s.actuator[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(c.decide(s).verdict, SampleVerdict::first);
+}
+
+}  // namespace

@@ -1,0 +1,65 @@
+#include "monitor/checks/sensor_check.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "idl/wire_values.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::monitor;
+namespace reason = ehm::wire::reject_reason;
+
+estimation::LinearModel one_sensor(double trim) {
+  estimation::LinearModel model;
+  model.sensors = {{"T30", "K", trim}};
+  model.sensor_noise_sigma = Eigen::VectorXd::Constant(1, 5.0);
+  return model;
+}
+
+class SensorCheckTest : public testing::Test {
+ protected:
+  std::uint32_t offer(double value, bool valid = true, int steps = 1) {
+    Sample s;
+    s.sensor_valid = valid ? 1u : 0u;
+    s.sensor[0] = value;
+    return check_.reasons(s, 0, steps);
+  }
+  // Defaults: range 60 % of trim, rate 12 % a sample, 20 equal values are stuck.
+  SensorCheck check_{CheckOptions{}, one_sensor(1000.0)};
+};
+
+TEST_F(SensorCheckTest, PassesAPlausibleValue) { EXPECT_EQ(offer(1005.0), 0u); }
+
+TEST_F(SensorCheckTest, NamesTheReason) {
+  EXPECT_EQ(offer(1000.0, false), reason::source_invalid);
+  EXPECT_EQ(offer(std::numeric_limits<double>::quiet_NaN()), reason::not_finite);
+  EXPECT_EQ(offer(-std::numeric_limits<double>::infinity()), reason::not_finite);
+  EXPECT_EQ(offer(1601.0), reason::range);
+}
+
+TEST_F(SensorCheckTest, RateCountsTheTimeSinceTheLastValue) {
+  EXPECT_EQ(offer(1000.0), 0u);
+  EXPECT_EQ(offer(1121.0), reason::rate);
+  EXPECT_EQ(offer(1000.0, true, 2), 0u);  // 121 K back within two samples
+}
+
+TEST_F(SensorCheckTest, StuckAfterTwentyEqualValuesAndFreeWithTheNextOther) {
+  for (int i = 0; i < 19; ++i) EXPECT_EQ(offer(1000.0), 0u) << i;
+  EXPECT_EQ(offer(1000.0), reason::stuck);
+  EXPECT_EQ(offer(1000.5), 0u);
+}
+
+TEST(SensorCheck, ScalesWithNoiseWhereTheTrimIsZero) {
+  SensorCheck check(CheckOptions{}, one_sensor(0.0));  // sigma 5: range 60 * 5
+  Sample s;
+  s.sensor_valid = 1;
+  s.sensor[0] = 299.0;
+  EXPECT_EQ(check.reasons(s, 0, 1), 0u);
+  s.sensor[0] = 301.0;
+  EXPECT_EQ(check.reasons(s, 0, 1), reason::range);
+}
+
+}  // namespace

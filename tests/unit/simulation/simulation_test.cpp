@@ -1,0 +1,120 @@
+#include "engine_sim/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine_sim/dds/command_reader.h"
+#include "idl/wire_values.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::engine;
+
+Scenario quiet() {
+  Scenario s;
+  s.sensors.noise_speed_percent = s.sensors.noise_pressure_percent = s.sensors.noise_temperature_percent = 0.0;
+  return s;
+}
+
+SimSample fly(Simulation& simulation, int samples) {
+  SimSample sample;
+  for (int k = 0; k < samples; ++k) sample = simulation.next();
+  return sample;
+}
+
+TEST(Simulation, ANewEngineInBalanceStaysInBalance) {
+  Simulation simulation(quiet());
+  const SimSample first = simulation.next(), later = fly(simulation, 400);
+  for (std::size_t i = 0; i < sensor_count; ++i)
+    EXPECT_NEAR(later.readings[i].value, first.readings[i].value, 1e-6 * first.readings[i].value);
+  EXPECT_NEAR(first.auxiliary[0], 1308.6, 1e-3);  // T40, the demand
+}
+
+TEST(Simulation, TheGovernorHoldsTheFanSpeedOfAWearingEngine) {
+  Scenario s = quiet();
+  s.health_changes = {{1.0, hpc_efficiency, -0.02, 0.0}};
+  Simulation simulation(s);
+  const double n1_rpm = simulation.next().readings[0].value;
+  const double fuel = simulation.next().fuel_flow_kg_s;
+  const SimSample later = fly(simulation, 1400);
+  EXPECT_NEAR(later.readings[0].value, n1_rpm, 1e-3 * n1_rpm);
+  EXPECT_GT(later.fuel_flow_kg_s, 1.002 * fuel);  // a worse compressor burns more for the same fan speed
+}
+
+TEST(Simulation, SameSeedSameReadings) {
+  Simulation a((Scenario())), b((Scenario()));
+  for (int k = 0; k < 50; ++k) {
+    const SimSample x = a.next(), y = b.next();
+    for (std::size_t i = 0; i < sensor_count; ++i) EXPECT_EQ(x.readings[i].value, y.readings[i].value);
+  }
+}
+
+TEST(Simulation, NoiseHasTheStatedSigma) {
+  Simulation simulation((Scenario()));
+  const GasPath nominal = simulation.nominal();
+  double square = 0;
+  constexpr int n = 4000;
+  for (int k = 0; k < n; ++k) {
+    const double deviation = simulation.next().readings[5].value - nominal.s30.tt_k;
+    square += deviation * deviation;
+  }
+  const double sigma = 0.0075 * nominal.s30.tt_k;
+  EXPECT_NEAR(std::sqrt(square / n), sigma, 4.0 * sigma / std::sqrt(2.0 * n));
+}
+
+TEST(SimCommand, ChangesDemandHealthAndSensors) {
+  Simulation simulation(quiet());
+  const SimSample before = simulation.next();
+  SimCommand c;
+  c.schema(1);
+  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_demand));
+  c.value()[0] = 0.97 * before.readings[0].value;
+  apply(c, simulation);
+  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::add_health));
+  c.channel(hpc_flow);
+  c.value()[0] = -0.01;
+  apply(c, simulation);
+  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::sensor_fault));
+  c.channel(3);
+  c.fault(static_cast<std::uint32_t>(wire::SensorFaultKind::dropout));
+  c.value()[0] = 0.0;
+  apply(c, simulation);
+  const SimSample after = fly(simulation, 1000);
+  EXPECT_NEAR(after.readings[0].value, 0.97 * before.readings[0].value, 0.002 * before.readings[0].value);
+  EXPECT_DOUBLE_EQ(after.health[hpc_flow], -0.01);
+  EXPECT_FALSE(after.readings[3].valid);
+  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::clear_faults));
+  apply(c, simulation);
+  EXPECT_TRUE(simulation.next().readings[3].valid);
+}
+
+TEST(SimCommand, RefusesWhatIsOutOfRange) {
+  Simulation simulation(quiet());
+  const auto error = [&](const SimCommand& c) -> std::string {
+    try {
+      apply(c, simulation);
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return {};
+  };
+  SimCommand c;
+  c.schema(1);
+  EXPECT_EQ(error(c), "kind is 0, allowed is 1 to 6 (idl/wire_values.h)");
+  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_demand));
+  EXPECT_EQ(error(c), "value[0] (n1_rpm) is 0, allowed is 500 to 5000");
+  c.value()[0] = std::nan("");
+  EXPECT_EQ(error(c), "value[0] (n1_rpm) is nan, allowed is 500 to 5000");
+  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_health));
+  c.channel(10);
+  EXPECT_EQ(error(c), "channel is 10, allowed is 0 to 9");
+  c.channel(0);
+  c.value()[0] = -0.5;
+  EXPECT_EQ(error(c), "health after the command is -0.5, allowed is -0.3 to 0.1");
+  c.schema(2);
+  EXPECT_EQ(error(c), "schema is 2, allowed is 1 to 1");
+}
+
+}  // namespace
