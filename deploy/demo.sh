@@ -4,13 +4,14 @@
 #   --seconds N   length of the flight, 12 to 86400 (default 30); at 10 s HPC efficiency falls by 2 %
 #   --json        print the summary as one JSON object and nothing else on standard output
 # Exit: 0 nothing lost and every estimate within 3 published sigmas, 1 otherwise, 2 wrong usage
-# EHM_BUILD_DIR names another build folder, EHM_DDS_DOMAIN another DDS domain (default 42).
+# EHM_BUILD_DIR names another build folder, EHM_DDS_DOMAIN another DDS domain (default 42), EHM_DEMO_CSV a file for every
+# estimate beside its truth.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 seconds=30
 json=()
-usage() { sed -n '2,7s/^# //p' deploy/demo.sh; }
+usage() { sed -n '2,8s/^# //p' deploy/demo.sh; }
 while [ $# -gt 0 ]; do
   case "$1" in
     --seconds)
@@ -60,7 +61,8 @@ start engine_sim "$build/engine_sim/engine_sim" --config deploy/demo/engine_sim.
   --run-wait-for-monitors 1 --run-duration-s "$seconds"
 
 verdict=0
-setpriv --pdeathsig TERM -- "$build/deploy/ehm_watch" --domain "$domain" --seconds "$seconds" "${json[@]}" &
+setpriv --pdeathsig TERM -- "$build/deploy/ehm_watch" --domain "$domain" --seconds "$seconds" "${json[@]}" \
+  ${EHM_DEMO_CSV:+--csv "$EHM_DEMO_CSV"} &
 children+=($!)
 wait "${children[2]}" || verdict=$?
 if [ "$verdict" -ne 0 ]; then

@@ -15,7 +15,7 @@ packages=(
   # an independent DDS for the interoperability tests and the C example
   cyclonedds-dev cyclonedds-tools
   # pictures of the documentation
-  gnuplot-nox
+  gnuplot-nox graphviz
 )
 
 missing=()

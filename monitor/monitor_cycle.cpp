@@ -156,9 +156,7 @@ void MonitorCycle::gate() noexcept {
   for (int i = 0; i < sensors_; ++i)
     if (result_.reason[static_cast<std::size_t>(i)] == 0) plausible.set(static_cast<std::size_t>(i));
   result_.innovation = filter_.innovation();
-  result_.innovation_variance = filter_.innovation_variance();
-  if (!error_.settled())
-    result_.innovation_variance = result_.innovation_variance.cwiseMax(error_.innovation_variance());
+  result_.innovation_variance = filter_.innovation_variance().cwiseMax(error_.innovation_variance());
   const GateDecision in_use = innovation_gate(result_.innovation, result_.innovation_variance,
                                               plausible & filter_.sensors(), options_.checks.gate_sigma);
   result_.ratio = in_use.ratio;

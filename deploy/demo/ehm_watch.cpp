@@ -7,8 +7,11 @@
 #include <CLI/Formatter.hpp>
 #include <chrono>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
+#include <functional>
 #include <iostream>
+#include <optional>
 
+#include "deploy/demo/watch_csv.h"
 #include "deploy/demo/watch_output.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
@@ -25,6 +28,7 @@ struct Options {
   double seconds = 0.0;
   double timeout_s = 30.0;
   bool json = false;
+  std::string csv;
 };
 
 /// One reader a topic, all emptied into the data.
@@ -35,22 +39,26 @@ class Ears {
         descriptions_(participant), status_(participant), events_(participant) {
     wait_set_.attach_condition(health_.condition());
   }
-  void listen(demo::WatchData& data, double seconds) {
+  /// `on_estimate` is called after every health estimate; the auxiliary one of the same sample is mostly there by then.
+  void listen(demo::WatchData& data, double seconds, const std::function<void()>& on_estimate) {
     wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(seconds)));
     take(descriptions_, data);
     take(truth_, data);
-    take(health_, data);
     take(auxiliary_, data);
+    take(health_, data, on_estimate);
     take(status_, data);
     take(events_, data);
   }
 
  private:
   template <class T>
-  void take(wire::Reader<T>& reader, demo::WatchData& data) {
+  void take(wire::Reader<T>& reader, demo::WatchData& data, const std::function<void()>& then = {}) {
     T sample;
-    while (reader.take(sample))
-      if (sample.engine_id() == engine_) data.hear(sample);
+    while (reader.take(sample)) {
+      if (sample.engine_id() != engine_) continue;
+      data.hear(sample);
+      if (then) then();
+    }
   }
   std::uint32_t engine_;
   wire::Reader<EngineTruth> truth_;
@@ -76,10 +84,15 @@ void watch(Ears& ears, demo::WatchData& data, const Options& options) {
   const auto period = std::chrono::milliseconds(terminal ? 200 : 1000);
   const auto deadline = Clock::now() + std::chrono::duration<double>(options.seconds + options.timeout_s);
   auto next = Clock::now();
+  std::optional<demo::WatchCsv> csv;
+  if (!options.csv.empty()) csv.emplace(options.csv);
+  const auto on_estimate = [&] {
+    if (csv) csv->write(data);
+  };
   if (terminal) std::cout << "\033[2J";
   while (!stop.requested() && !over(data, options)) {
     if (options.seconds > 0.0 && Clock::now() > deadline) return;
-    ears.listen(data, 0.05);
+    ears.listen(data, 0.05, on_estimate);
     if (Clock::now() < next || options.json) continue;
     next = Clock::now() + period;
     if (terminal || data.estimates() > 0) std::cout << (terminal ? demo::table(data) : demo::line(data)) << std::flush;
@@ -99,6 +112,7 @@ int main(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--timeout", options.timeout_s, "seconds beyond that after which it gives up")->capture_default_str();
   app.add_flag("--json", options.json, "print nothing but the summary, as one JSON object");
+  app.add_option("--csv", options.csv, "write every estimate beside its truth to this file");
   app.set_version_flag("--version", std::string("ehm_watch " EHM_VERSION));
   try {
     app.parse(argc, argv);

@@ -1,0 +1,34 @@
+// Prints every health estimate of the default domain, or of the domain given: a subscriber of your own in 40 lines.
+#include <idl/dds/endpoint.h>
+#include <idl/wire_values.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fastdds/dds/core/condition/WaitSet.hpp>
+
+int main(int argc, char** argv) {
+  using namespace ehm;
+  wire::ParticipantOptions options;
+  options.domain = argc > 1 ? static_cast<std::uint32_t>(std::atoi(argv[1])) : 0;
+  wire::Participant participant(options);
+  wire::Reader<EngineDescription> descriptions(participant);
+  wire::Reader<EngineHealth> estimates(participant);
+  eprosima::fastdds::dds::WaitSet wait_set;
+  wait_set.attach_condition(estimates.condition());
+
+  EngineDescription description, heard;
+  EngineHealth health;
+  for (;;) {
+    eprosima::fastdds::dds::ConditionSeq triggered;
+    wait_set.wait(triggered, eprosima::fastrtps::Duration_t(1.0L));
+    while (descriptions.take(heard))
+      if (heard.role() == static_cast<std::uint32_t>(wire::DescriptionRole::monitor)) description = heard;
+    while (estimates.take(health)) {
+      std::printf("engine %u sample %llu:", health.engine_id(), static_cast<unsigned long long>(health.sequence_number()));
+      for (std::uint32_t i = 0; i < health.health_count(); ++i)
+        std::printf(" %s %.4f +- %.4f", description.health()[i].name().c_str(), health.health()[i], health.sigma_total()[i]);
+      std::printf("\n");
+      std::fflush(stdout);
+    }
+  }
+}

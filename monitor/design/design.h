@@ -1,0 +1,65 @@
+#pragma once
+// A finished tuner design: the model, how it was scaled, one filter per sensor set, and how good it is.
+//
+// All matrices of a SubsetDesign are in scaled units (monitor/estimation/scaling.h): states and sensors in percent of
+// trim, health in percent, auxiliary outputs in their reporting unit, controls in channel units. make_filter turns them
+// into the filter that flies, in channel units. n states, m sensors, p health, r auxiliary, t tuners.
+// Source: Simon & Garg, NASA/TM-2010-216077, eqs. 5-8, 15-17; the error theory is THEORY section 4.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monitor/estimation/linear_model.h"
+#include "monitor/estimation/scaling.h"
+
+namespace ehm::design {
+
+/// How a design was made; the same options on the same model give the same file.
+struct DesignOptions {
+  double qh_percent2 = 1e-3;  ///< process noise of each health parameter per sample
+  std::uint64_t seed = 0;     ///< of a search; the closed form needs none
+  std::string method = "closed form V = H Ph";
+  std::string created_by = "tuner_design";
+  std::string version = "unversioned";
+};
+
+/// The filter for one set of sensors and its theoretical error.
+struct SubsetDesign {
+  std::vector<int> sensors;  ///< indices of the sensors that it uses, ascending
+  Eigen::MatrixXd V;         ///< t x p, orthonormal rows; q = V h
+  Eigen::MatrixXd W;         ///< p x t, pseudoinverse of V; h = W q
+  Eigen::MatrixXd A;         ///< (n+t) x (n+t), Axq
+  Eigen::MatrixXd B;         ///< (n+t) x nu, Bxq
+  Eigen::MatrixXd C;         ///< m x (n+t), Cxq, a row for every sensor of the model
+  Eigen::MatrixXd K;         ///< (n+t) x m, Kinf, zero columns for sensors that are not used
+  Eigen::MatrixXd P;         ///< (n+t) x (n+t), predicted covariance, solves the Riccati equation
+  Eigen::MatrixXd health_total_covariance, auxiliary_total_covariance;    ///< G Ph G^T + T S T^T + linearisation
+  Eigen::MatrixXd health_linearisation_covariance, auxiliary_linearisation_covariance;  ///< part of the total
+  Eigen::MatrixXd health_filter_covariance, auxiliary_filter_covariance;  ///< T P_updated T^T
+  Eigen::MatrixXd health_noise_covariance, auxiliary_noise_covariance;    ///< T S T^T
+  Eigen::VectorXd innovation_variance;                                    ///< m, percent^2
+  double slowest_time_constant_s = 0.0;                                   ///< of the closed loop
+};
+
+/// Expected squared error by channel: health in percent^2, auxiliary in reporting units^2.
+struct ErrorByChannel {
+  Eigen::VectorXd health, auxiliary;
+};
+
+struct Design {
+  estimation::LinearModel model;  ///< as it was given, continuous or discrete
+  estimation::Scaling scaling;
+  DesignOptions options;
+  SubsetDesign full;
+  std::vector<std::optional<SubsetDesign>> missing;  ///< [i] without sensor i; empty where that is not observable
+  ErrorByChannel ssee;                               ///< of `full` on the linear engine: THEORY section 4
+  ErrorByChannel linearisation;                      ///< what the real engine's nonlinearity adds to that
+  ErrorByChannel bayes_limit;                        ///< no estimator on steady data at this point can do better
+  ErrorByChannel full_map, reduced_map;              ///< MAP on one noisy snapshot, on h and on the tuners
+  std::string hash;                                  ///< SHA-256 of the content; set by write_design and read_design
+};
+
+}  // namespace ehm::design

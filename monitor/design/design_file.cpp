@@ -1,0 +1,160 @@
+#include "monitor/design/design_file.h"
+
+#include <cmath>
+
+#include "monitor/design/atomic_file.h"
+#include "monitor/design/content_hash.h"
+#include "monitor/design/file_error.h"
+#include "monitor/design/json_text.h"
+#include "monitor/design/model_json.h"
+#include "monitor/design/subset_json.h"
+
+namespace ehm::design {
+namespace {
+
+constexpr const char* make_again = "Make the design again with tuner_design design";
+
+Json errors_to_json(const ErrorByChannel& errors, const std::string& file, const std::string& key) {
+  return {{"health", vector_to_json(errors.health, file, key + ".health")},
+          {"auxiliary", vector_to_json(errors.auxiliary, file, key + ".auxiliary")}};
+}
+
+ErrorByChannel errors_from_json(JsonObject& parent, const std::string& name, const estimation::LinearModel& model) {
+  JsonObject object(parent.at(name), parent.file(), parent.key(name));
+  ErrorByChannel errors{object.vector("health", model.L.cols()), object.vector("auxiliary", model.F.rows())};
+  object.refuse_unknown();
+  return errors;
+}
+
+Json scaling_to_json(const estimation::Scaling& scaling, const std::string& file) {
+  return {{"state", vector_to_json(scaling.state, file, "scaling.state")},
+          {"sensor", vector_to_json(scaling.sensor, file, "scaling.sensor")},
+          {"health", vector_to_json(scaling.health, file, "scaling.health")},
+          {"auxiliary", vector_to_json(scaling.auxiliary, file, "scaling.auxiliary")},
+          {"auxiliary_unit", scaling.auxiliary_unit}};
+}
+
+estimation::Scaling scaling_from_json(JsonObject& parent, const estimation::LinearModel& model) {
+  JsonObject object(parent.at("scaling"), parent.file(), parent.key("scaling"));
+  // The scaling follows from the model; the file states it for readers, and must agree.
+  const estimation::Scaling scaling = estimation::scaling_of(model);
+  const Json stated = {{"state", object.at("state")},
+                       {"sensor", object.at("sensor")},
+                       {"health", object.at("health")},
+                       {"auxiliary", object.at("auxiliary")},
+                       {"auxiliary_unit", object.at("auxiliary_unit")}};
+  object.refuse_unknown();
+  if (stated != scaling_to_json(scaling, parent.file())) {
+    throw_defect(parent.file(), "scaling", "not the scaling of this model", "percent of trim and reporting units",
+                 make_again);
+  }
+  return scaling;
+}
+
+DesignOptions options_from_json(JsonObject& parent) {
+  JsonObject object(parent.at("made_by"), parent.file(), parent.key("made_by"));
+  DesignOptions options;
+  options.created_by = object.text("program");
+  options.version = object.text("version");
+  options.method = object.text("method");
+  options.qh_percent2 = object.positive_number("qh_percent2");
+  const Json& seed = object.at("seed");
+  if (!seed.is_number_unsigned())
+    throw_defect(parent.file(), object.key("seed"), shown(seed), "an integer", make_again);
+  options.seed = seed.get<std::uint64_t>();
+  object.refuse_unknown();
+  return options;
+}
+
+Json content_of(const Design& design, const std::string& file) {
+  Json missing = Json::array();
+  for (std::size_t i = 0; i < design.missing.size(); ++i) {
+    const std::string path = "designs.missing[" + std::to_string(i) + "]";
+    missing.push_back(design.missing[i] ? subset_to_json(*design.missing[i], file, path) : Json(nullptr));
+  }
+  const DesignOptions& options = design.options;
+  return {{"schema", design_schema},
+          {"model", model_to_json(design.model, file)},
+          {"scaling", scaling_to_json(design.scaling, file)},
+          {"made_by",
+           {{"program", options.created_by},
+            {"version", options.version},
+            {"method", options.method},
+            {"qh_percent2", options.qh_percent2},
+            {"seed", options.seed}}},
+          {"designs", {{"full", subset_to_json(design.full, file, "designs.full")}, {"missing", std::move(missing)}}},
+          {"errors",
+           {{"ssee", errors_to_json(design.ssee, file, "errors.ssee")},
+            {"linearisation", errors_to_json(design.linearisation, file, "errors.linearisation")},
+            {"bayes_limit", errors_to_json(design.bayes_limit, file, "errors.bayes_limit")},
+            {"full_map", errors_to_json(design.full_map, file, "errors.full_map")},
+            {"reduced_map", errors_to_json(design.reduced_map, file, "errors.reduced_map")}}}};
+}
+
+/// Removes the hash from `root` and compares it with the hash of the rest.
+std::string take_verified_hash(Json& root, const std::string& file) {
+  JsonObject object(root, file, "");
+  const std::string schema = object.text("schema");
+  if (schema != design_schema) {
+    throw_defect(file, "schema", "\"" + schema + "\"", std::string("\"") + design_schema + "\"",
+                 "The file is of another kind or version: make the design with this version's tuner_design design");
+  }
+  const std::string stated = object.text("hash");
+  root.erase("hash");
+  const std::string actual = sha256_hex(root.dump());
+  if (stated != actual) {
+    throw_defect(file, "hash", "\"" + stated + "\"", "\"" + actual + "\", the SHA-256 of the content",
+                 "The file was damaged or changed by hand: make the design again with tuner_design design");
+  }
+  return actual;
+}
+
+void read_designs(JsonObject& root, Design& design) {
+  JsonObject object(root.at("designs"), root.file(), "designs");
+  design.full = subset_from_json(object.at("full"), design.model, root.file(), "designs.full");
+  const Json& missing = object.array("missing");
+  object.refuse_unknown();
+  if (missing.size() != design.model.sensors.size() || design.full.sensors.size() != missing.size()) {
+    throw_defect(root.file(), "designs.missing", std::to_string(missing.size()) + " entries long",
+                 "one entry for each of the " + std::to_string(design.model.sensors.size()) + " sensors", make_again);
+  }
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    design.missing.emplace_back();
+    if (missing[i].is_null()) continue;
+    const std::string path = "designs.missing[" + std::to_string(i) + "]";
+    design.missing.back() = subset_from_json(missing[i], design.model, root.file(), path);
+  }
+}
+
+}  // namespace
+
+Design read_design(const std::string& path) {
+  Json json = parse_json_file(path);
+  Design design;
+  design.hash = take_verified_hash(json, path);
+  JsonObject root(json, path, "");
+  root.at("schema");
+  design.model = model_from_json(root.at("model"), path, "model");
+  design.scaling = scaling_from_json(root, design.model);
+  design.options = options_from_json(root);
+  read_designs(root, design);
+  JsonObject errors(root.at("errors"), path, "errors");
+  design.ssee = errors_from_json(errors, "ssee", design.model);
+  design.linearisation = errors_from_json(errors, "linearisation", design.model);
+  design.bayes_limit = errors_from_json(errors, "bayes_limit", design.model);
+  design.full_map = errors_from_json(errors, "full_map", design.model);
+  design.reduced_map = errors_from_json(errors, "reduced_map", design.model);
+  errors.refuse_unknown();
+  root.refuse_unknown();
+  return design;
+}
+
+std::string write_design(const Design& design, const std::string& path) {
+  Json json = content_of(design, path);
+  const std::string hash = sha256_hex(json.dump());
+  json["hash"] = hash;
+  write_file_atomically(path, readable_text(json));
+  return hash;
+}
+
+}  // namespace ehm::design

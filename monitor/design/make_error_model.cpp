@@ -1,0 +1,66 @@
+#include "monitor/design/make_error_model.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "monitor/estimation/steady_gain.h"
+
+namespace ehm::design {
+
+namespace {
+
+/// Symmetric root of a second moment that may be singular.
+Eigen::MatrixXd root(const Eigen::MatrixXd& moment) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(moment);
+  const Eigen::VectorXd eigenvalues = solver.eigenvalues().cwiseMax(0.0);  // check_model refused more than round-off
+  return solver.eigenvectors() * eigenvalues.cwiseSqrt().asDiagonal();
+}
+
+/// Gh = [Ph^1/2, 0], [Gy; Gz] = [[H; Hz] Ph^1/2, Lambda^1/2], and K Gy.
+void add_unknowns(estimation::ErrorModel& error, const estimation::LinearModel& model,
+                  const estimation::SteadyGain& steady, const Eigen::MatrixXd& K) {
+  const Eigen::Index p = model.L.cols(), m = model.C.rows(), r = model.F.rows();
+  const Eigen::Index extra = model.linearisation_error.rows();
+  const auto health = model.health_sigma.asDiagonal();
+  error.health_truth.setZero(p, p + extra);
+  error.health_truth.leftCols(p) = health.toDenseMatrix();
+  error.sensor_truth.resize(m, p + extra);
+  error.auxiliary_truth.resize(r, p + extra);
+  error.sensor_truth.leftCols(p) = steady.H * health;
+  error.auxiliary_truth.leftCols(p) = steady.Hz * health;
+  if (extra > 0) {
+    const Eigen::MatrixXd nonlinear = root(model.linearisation_error);
+    error.sensor_truth.rightCols(extra) = nonlinear.topRows(m);
+    error.auxiliary_truth.rightCols(extra) = nonlinear.bottomRows(r);
+  }
+  error.drive = K * error.sensor_truth;
+}
+
+}  // namespace
+
+estimation::ErrorModel make_error_model(const Design& design, const SubsetDesign& subset) {
+  const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
+  const estimation::SteadyGain steady = estimation::steady_gain(model);
+  const Eigen::Index n = model.A.rows(), t = subset.V.rows(), p = model.L.cols(), r = model.F.rows();
+
+  estimation::ErrorModel error;
+  error.closed_loop = subset.A - subset.K * subset.C * subset.A;
+  const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
+  error.noise = subset.K * R * subset.K.transpose();
+  error.health_output.setZero(p, n + t);
+  error.health_output.rightCols(t) = subset.W;
+  error.auxiliary_output.setZero(r, n + t);
+  error.auxiliary_output.leftCols(n) = model.F;
+  error.auxiliary_output.rightCols(t) = model.N * subset.W;
+  error.prediction = subset.C * subset.A;
+  error.sensor_noise_variance = model.sensor_noise_sigma.cwiseAbs2();
+  add_unknowns(error, model, steady, subset.K);
+  error.health_scale = design.scaling.health;
+  error.auxiliary_scale = design.scaling.auxiliary;
+  error.sensor_scale = design.scaling.sensor;
+  error.settling_samples =
+      static_cast<int>(std::ceil(7.0 * subset.slowest_time_constant_s / design.model.sample_time_s));
+  return error;
+}
+
+}  // namespace ehm::design

@@ -1,0 +1,149 @@
+#include "monitor/design/model_check.h"
+
+#include <Eigen/Eigenvalues>
+#include <set>
+
+#include "monitor/design/file_error.h"
+#include "monitor/design/json_object.h"
+#include "monitor/estimation/capacity.h"
+#include "monitor/estimation/scaling.h"
+
+namespace ehm::design {
+namespace {
+
+using estimation::Channel;
+using estimation::LinearModel;
+
+void check_channels(const std::vector<Channel>& channels, const std::string& list, std::size_t least, int capacity,
+                    const std::string& file) {
+  const auto most = static_cast<std::size_t>(capacity);
+  if (channels.size() < least || channels.size() > most) {
+    throw_defect(file, list, std::to_string(channels.size()) + " channels long",
+                 std::to_string(least) + " to " + std::to_string(most) + " channels",
+                 "Choose the channels that matter most");
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const std::string at = list + "[" + std::to_string(i) + "]";
+    const std::string& name = channels[i].name;
+    if (name.empty()) throw_defect(file, at + ".name", "empty", "a text that is not empty", "Name the channel");
+    if (!names.insert(name).second) {
+      throw_defect(file, at + ".name", "\"" + name + "\" again", "each name once in its list", "Rename one of the two");
+    }
+    if (!std::isfinite(channels[i].trim)) {
+      throw_defect(file, at + ".trim", shown(channels[i].trim), "a finite number", "Give the value at the trim point");
+    }
+  }
+}
+
+void check_matrix(const Eigen::MatrixXd& matrix, const std::string& key, std::size_t rows, std::size_t cols,
+                  const std::string& file) {
+  if (static_cast<std::size_t>(matrix.rows()) != rows || static_cast<std::size_t>(matrix.cols()) != cols) {
+    throw_defect(file, key, std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols()),
+                 std::to_string(rows) + " x " + std::to_string(cols), "Check the matrix against the channel lists");
+  }
+  if (!matrix.allFinite()) {
+    throw_defect(file, key, "not finite in an entry", "finite numbers", "Derive the matrix again");
+  }
+}
+
+void check_matrices(const LinearModel& model, const std::string& file) {
+  const std::size_t n = model.states.size(), nu = model.controls.size(), p = model.health.size();
+  const std::size_t m = model.sensors.size(), r = model.auxiliary.size();
+  check_matrix(model.A, "A", n, n, file);
+  check_matrix(model.B, "B", n, nu, file);
+  check_matrix(model.L, "L", n, p, file);
+  check_matrix(model.C, "C", m, n, file);
+  check_matrix(model.D, "D", m, nu, file);
+  check_matrix(model.M, "M", m, p, file);
+  check_matrix(model.F, "F", r, n, file);
+  check_matrix(model.G, "G", r, nu, file);
+  check_matrix(model.N, "N", r, p, file);
+  check_matrix(model.process_noise, "process_noise", n, n, file);
+  if (model.linearisation_error.size() > 0) {
+    check_matrix(model.linearisation_error, "linearisation_error", m + r, m + r, file);
+  }
+  check_matrix(model.health_sigma, "sigma of health", p, 1, file);
+  check_matrix(model.sensor_noise_sigma, "noise_sigma of sensors", m, 1, file);
+}
+
+void check_positive(const Eigen::VectorXd& values, const std::string& list, const std::string& name,
+                    const std::string& remedy, const std::string& file) {
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (values(i) > 0.0) continue;
+    throw_defect(file, list + "[" + std::to_string(i) + "]." + name, shown(values(i)), "a number above 0", remedy);
+  }
+}
+
+void check_covariance(const Eigen::MatrixXd& covariance, const char* key, const char* remedy, const std::string& file) {
+  if (!covariance.isApprox(covariance.transpose(), 1e-9)) {
+    throw_defect(file, key, "not symmetric", "a covariance matrix", remedy);
+  }
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(covariance).eigenvalues().minCoeff();
+  if (least < -1e-12 * covariance.norm()) {
+    throw_defect(file, key, "a matrix with the eigenvalue " + shown(least), "no negative eigenvalue", remedy);
+  }
+}
+
+void check_units(const LinearModel& model, const std::string& file) {
+  // One channel at a time, so that the message can name it.
+  for (std::size_t i = 0; i < model.health.size(); ++i) {
+    const std::string& unit = model.health[i].unit;
+    if (unit == "fraction" || unit == "-" || unit == "percent" || unit == "%") continue;
+    throw_defect(file, "health[" + std::to_string(i) + "].unit", "\"" + unit + "\"", "fraction, -, percent, %",
+                 "Express the health parameter relative to nominal");
+  }
+  for (std::size_t i = 0; i < model.auxiliary.size(); ++i) {
+    LinearModel one;
+    one.auxiliary = {model.auxiliary[i]};
+    try {
+      estimation::scaling_of(one);
+    } catch (const std::invalid_argument&) {
+      throw_defect(
+          file, "auxiliary[" + std::to_string(i) + "].trim", shown(model.auxiliary[i].trim),
+          "a number other than 0, since errors in " + model.auxiliary[i].unit + " are reported in percent of trim",
+          "Give the value at the trim point");
+    }
+  }
+}
+
+void check_stability(const LinearModel& model, const std::string& file) {
+  const Eigen::VectorXcd eigenvalues = Eigen::EigenSolver<Eigen::MatrixXd>(model.A, false).eigenvalues();
+  const double worst = model.discrete ? eigenvalues.cwiseAbs().maxCoeff() : eigenvalues.real().maxCoeff();
+  if (model.discrete && !(worst < 1.0)) {
+    throw_defect(file, "A", "unstable: its spectral radius is " + shown(worst), "below 1 for time \"discrete\"",
+                 "Check the sample time, the sign of A, and whether the model is continuous");
+  }
+  if (!model.discrete && !(worst < 0.0)) {
+    throw_defect(file, "A", "unstable: an eigenvalue has the real part " + shown(worst),
+                 "below 0 for time \"continuous\"", "Check the sign of A, and whether the model is discrete");
+  }
+}
+
+}  // namespace
+
+void check_model(const LinearModel& model, const std::string& file) {
+  namespace cap = estimation;
+  check_channels(model.states, "states", 1, cap::max_states, file);
+  check_channels(model.controls, "controls", 0, cap::max_actuators, file);
+  check_channels(model.health, "health", 1, cap::max_health, file);
+  check_channels(model.sensors, "sensors", 1, cap::max_sensors, file);
+  check_channels(model.auxiliary, "auxiliary", 0, cap::max_auxiliary, file);
+  if (!(model.sample_time_s > 0.0) || !std::isfinite(model.sample_time_s)) {
+    throw_defect(file, "sample_time_s", shown(model.sample_time_s), "a number above 0",
+                 "Give the sample time in seconds");
+  }
+  check_matrices(model, file);
+  check_positive(model.health_sigma, "health", "sigma", "Give the standard deviation over the fleet", file);
+  check_positive(model.sensor_noise_sigma, "sensors", "noise_sigma",
+                 "Give the standard deviation of one sample's noise", file);
+  check_covariance(model.process_noise, "process_noise", "Give the covariance of w per sample", file);
+  if (model.linearisation_error.size() > 0) {
+    check_covariance(model.linearisation_error, "linearisation_error",
+                     "Give the second moment of [y; z] minus its linear value over the fleet, or leave it out", file);
+  }
+  check_units(model, file);
+  check_stability(model, file);
+}
+
+}  // namespace ehm::design

@@ -1,0 +1,17 @@
+#include "monitor/design/model_file.h"
+
+#include "monitor/design/atomic_file.h"
+#include "monitor/design/json_text.h"
+#include "monitor/design/model_json.h"
+
+namespace ehm::design {
+
+estimation::LinearModel read_model(const std::string& path) {
+  return model_from_json(parse_json_file(path), path, "");
+}
+
+void write_model(const estimation::LinearModel& model, const std::string& path) {
+  write_file_atomically(path, readable_text(model_to_json(model, path)));
+}
+
+}  // namespace ehm::design

@@ -1,0 +1,106 @@
+#include "monitor/design/subset_json.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "monitor/design/file_error.h"
+
+namespace ehm::design {
+namespace {
+
+std::vector<int> read_sensors(JsonObject& object, std::size_t count) {
+  std::vector<int> sensors;
+  for (const Json& value : object.array("sensors")) {
+    const bool ascends = value.is_number_integer() && value.get<long long>() >= 0 &&
+                         value.get<unsigned long long>() < count &&
+                         (sensors.empty() || value.get<int>() > sensors.back());
+    if (!ascends) {
+      throw_defect(object.file(), object.key("sensors"), shown(object.at("sensors")),
+                   "ascending indices below " + std::to_string(count),
+                   "Make the design again with tuner_design design");
+    }
+    sensors.push_back(value.get<int>());
+  }
+  return sensors;
+}
+
+void check_variances(const Eigen::MatrixXd& covariance, const std::string& key, const std::string& file) {
+  if (covariance.size() == 0 || covariance.diagonal().minCoeff() >= 0.0) return;
+  throw_defect(file, key, "a matrix with the variance " + shown(covariance.diagonal().minCoeff()),
+               "variances of 0 or more", "Make the design again with tuner_design design");
+}
+
+void check_closed_loop(const SubsetDesign& design, const std::string& key, const std::string& file) {
+  // Acl = Axq - Kinf Cxq Axq
+  const Eigen::MatrixXd closed_loop = design.A - design.K * (design.C * design.A);
+  const double radius = Eigen::EigenSolver<Eigen::MatrixXd>(closed_loop, false).eigenvalues().cwiseAbs().maxCoeff();
+  if (radius < 1.0) return;
+  throw_defect(file, key, "a gain whose closed loop has the spectral radius " + shown(radius), "below 1",
+               "Make the design again with tuner_design design");
+}
+
+}  // namespace
+
+SubsetDesign subset_from_json(const Json& json, const estimation::LinearModel& model, const std::string& file,
+                              const std::string& path) {
+  const Eigen::Index n = model.A.rows(), nu = model.B.cols(), p = model.L.cols(), m = model.C.rows(),
+                     r = model.F.rows();
+  JsonObject object(json, file, path);
+  SubsetDesign design;
+  design.sensors = read_sensors(object, model.sensors.size());
+  const auto t = static_cast<Eigen::Index>(object.array("V").size());
+  if (t < 1 || t > std::min(m, p)) {
+    throw_defect(file, object.key("V"), std::to_string(t) + " rows high",
+                 "1 to " + std::to_string(std::min(m, p)) + " rows", "Make the design again with tuner_design design");
+  }
+  design.V = object.matrix("V", t, p);
+  design.W = object.matrix("W", p, t);
+  design.A = object.matrix("A", n + t, n + t);
+  design.B = object.matrix("B", n + t, nu);
+  design.C = object.matrix("C", m, n + t);
+  design.K = object.matrix("K", n + t, m);
+  design.P = object.matrix("P", n + t, n + t);
+  design.innovation_variance = object.vector("innovation_variance", m);
+  design.slowest_time_constant_s = object.positive_number("slowest_time_constant_s");
+  const std::pair<const char*, Eigen::MatrixXd*> covariances[] = {
+      {"health_total_covariance", &design.health_total_covariance},
+      {"auxiliary_total_covariance", &design.auxiliary_total_covariance},
+      {"health_linearisation_covariance", &design.health_linearisation_covariance},
+      {"auxiliary_linearisation_covariance", &design.auxiliary_linearisation_covariance},
+      {"health_filter_covariance", &design.health_filter_covariance},
+      {"auxiliary_filter_covariance", &design.auxiliary_filter_covariance},
+      {"health_noise_covariance", &design.health_noise_covariance},
+      {"auxiliary_noise_covariance", &design.auxiliary_noise_covariance}};
+  for (const auto& [name, covariance] : covariances) {
+    const Eigen::Index size = name[0] == 'h' ? p : r;
+    *covariance = object.matrix(name, size, size);
+    check_variances(*covariance, object.key(name), file);
+  }
+  object.refuse_unknown();
+  check_closed_loop(design, object.key("K"), file);
+  return design;
+}
+
+Json subset_to_json(const SubsetDesign& design, const std::string& file, const std::string& path) {
+  Json json{{"sensors", design.sensors}, {"slowest_time_constant_s", design.slowest_time_constant_s}};
+  json["innovation_variance"] = vector_to_json(design.innovation_variance, file, path + ".innovation_variance");
+  const std::pair<const char*, const Eigen::MatrixXd*> matrices[] = {
+      {"V", &design.V},
+      {"W", &design.W},
+      {"A", &design.A},
+      {"B", &design.B},
+      {"C", &design.C},
+      {"K", &design.K},
+      {"P", &design.P},
+      {"health_total_covariance", &design.health_total_covariance},
+      {"auxiliary_total_covariance", &design.auxiliary_total_covariance},
+      {"health_linearisation_covariance", &design.health_linearisation_covariance},
+      {"auxiliary_linearisation_covariance", &design.auxiliary_linearisation_covariance},
+      {"health_filter_covariance", &design.health_filter_covariance},
+      {"auxiliary_filter_covariance", &design.auxiliary_filter_covariance},
+      {"health_noise_covariance", &design.health_noise_covariance},
+      {"auxiliary_noise_covariance", &design.auxiliary_noise_covariance}};
+  for (const auto& [name, matrix] : matrices) json[name] = to_json(*matrix, file, path + "." + name);
+  return json;
+}
+
+}  // namespace ehm::design

@@ -1,0 +1,69 @@
+#include "monitor/estimation/error_propagation.h"
+
+#include <cmath>
+
+namespace ehm::estimation {
+
+ErrorPropagation::ErrorPropagation(const ErrorModel& model) : model_(&model) { reset(model); }
+
+void ErrorPropagation::reset(const ErrorModel& model) noexcept {
+  model_ = &model;
+  mean_.setZero(model.drive.rows(), model.drive.cols());
+  covariance_.setZero(model.noise.rows(), model.noise.cols());
+  remaining_ = model.settling_samples;
+  read_out();
+}
+
+void ErrorPropagation::switch_to(const ErrorModel& model,
+                                 const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept {
+  model_ = &model;
+  mean_next_.noalias() = transfer.lazyProduct(mean_);
+  mean_ = mean_next_;
+  product_.noalias() = transfer.lazyProduct(covariance_);
+  covariance_.noalias() = product_.lazyProduct(transfer.transpose());
+  remaining_ = model.settling_samples;
+  read_out();
+}
+
+void ErrorPropagation::step() noexcept {
+  if (settled()) return;
+  const ErrorModel& m = *model_;
+  mean_next_.noalias() = m.closed_loop.lazyProduct(mean_);
+  mean_ = mean_next_ + m.drive;
+  product_.noalias() = m.closed_loop.lazyProduct(covariance_);
+  covariance_.noalias() = product_.lazyProduct(m.closed_loop.transpose());
+  covariance_ += m.noise;
+  --remaining_;
+  read_out();
+}
+
+void ErrorPropagation::read_out() noexcept {
+  const ErrorModel& m = *model_;
+  health_bias_.noalias() = m.health_output.lazyProduct(mean_);
+  health_bias_ -= m.health_truth;
+  health_spread_.noalias() = m.health_output.lazyProduct(covariance_);
+  auxiliary_bias_.noalias() = m.auxiliary_output.lazyProduct(mean_);
+  auxiliary_bias_ -= m.auxiliary_truth;
+  auxiliary_spread_.noalias() = m.auxiliary_output.lazyProduct(covariance_);
+  sensor_bias_.noalias() = m.prediction.lazyProduct(mean_);
+  sensor_bias_ -= m.sensor_truth;
+  sensor_spread_.noalias() = m.prediction.lazyProduct(covariance_);
+
+  // Diagonal entry i of bias bias^T + spread output^T.
+  const auto variance = [](const auto& bias, const auto& spread, const auto& output, Eigen::Index i) {
+    return bias.row(i).squaredNorm() + spread.row(i).dot(output.row(i));
+  };
+  health_sigma_.resize(m.health_scale.size());
+  for (Eigen::Index i = 0; i < health_sigma_.size(); ++i)
+    health_sigma_(i) = m.health_scale(i) * std::sqrt(variance(health_bias_, health_spread_, m.health_output, i));
+  auxiliary_sigma_.resize(m.auxiliary_scale.size());
+  for (Eigen::Index i = 0; i < auxiliary_sigma_.size(); ++i)
+    auxiliary_sigma_(i) =
+        m.auxiliary_scale(i) * std::sqrt(variance(auxiliary_bias_, auxiliary_spread_, m.auxiliary_output, i));
+  innovation_variance_.resize(m.sensor_scale.size());
+  for (Eigen::Index i = 0; i < innovation_variance_.size(); ++i)
+    innovation_variance_(i) = m.sensor_scale(i) * m.sensor_scale(i) *
+                              (variance(sensor_bias_, sensor_spread_, m.prediction, i) + m.sensor_noise_variance(i));
+}
+
+}  // namespace ehm::estimation

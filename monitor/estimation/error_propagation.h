@@ -1,0 +1,81 @@
+#pragma once
+// Total error of the tuner filter while it converges, so that the published sigma is honest from the first sample on.
+//
+// What is unknown of an engine but constant: its health h ~ (0, Ph), and what its nonlinearity adds to sensors and
+// outputs, [ry; rz] ~ (0, Lambda). Written with k unit-variance unknowns e: h = Gh e, steady sensors H h + ry = Gy e,
+// outputs Hz h + rz = Gz e. After a number of samples the filter's estimate has
+//   E[xhat | e] = M e,   M <- Acl M + K Gy,              M (n+t) x k
+//   cov(xhat)   = S,     S <- Acl S Acl^T + K R K^T,     S (n+t) x (n+t)
+// with Acl = (I - K C) A, and the published standard deviations are the roots of the diagonals of
+//   (Th M - Gh)(..)^T + Th S Th^T    and    (Tz M - Gz)(..)^T + Tz S Tz^T.
+// M_0 = 0 and S_0 = 0 for a cold start: the first sigma is the prior's. The limit k -> infinity is THEORY.md section 4.
+// The innovation of the next sample then has the variance
+//   diag[(C A M - Gy)(..)^T + C A S (C A)^T + R],
+// far above the settled one at a cold start: the innovation gate asks for it, so as not to reject a worn engine.
+// When another sensor set takes over, M and S are re-referenced as the state is, and go on from there.
+// Everything is in the scaled units of the design; sigmas leave in channel units.
+
+#include <vector>
+
+#include "monitor/estimation/capacity.h"
+
+namespace ehm::estimation {
+
+/// Health, sensors and auxiliary outputs each bring unknowns at most.
+inline constexpr int max_unknowns = max_health + max_sensors + max_auxiliary;
+
+/// Constants of one sensor set; scaled units except for the two scales.
+struct ErrorModel {
+  BoundedMatrix<max_augmented, max_augmented> closed_loop;      ///< Acl
+  BoundedMatrix<max_augmented, max_unknowns> drive;             ///< K Gy
+  BoundedMatrix<max_augmented, max_augmented> noise;            ///< K R K^T
+  BoundedMatrix<max_health, max_augmented> health_output;       ///< Th
+  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_output; ///< Tz
+  BoundedMatrix<max_sensors, max_augmented> prediction;         ///< C A, every sensor
+  BoundedMatrix<max_health, max_unknowns> health_truth;         ///< Gh
+  BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_truth;   ///< Gz
+  BoundedMatrix<max_sensors, max_unknowns> sensor_truth;        ///< Gy, every sensor
+  SensorVector sensor_noise_variance;                           ///< diagonal of R
+  HealthVector health_scale;                                    ///< channel units per scaled unit
+  AuxiliaryVector auxiliary_scale;
+  SensorVector sensor_scale;
+  int settling_samples = 0;                                     ///< seven of the slowest time constants: 0.1 % is left
+};
+
+class ErrorPropagation {
+ public:
+  /// `model` must outlive this. Starts cold.
+  explicit ErrorPropagation(const ErrorModel& model);
+
+  /// Cold start. Real-time safe: yes.
+  void reset(const ErrorModel& model) noexcept;
+  /// Goes on with another sensor set; `transfer` is what the filter's state was multiplied with. Real-time safe: yes.
+  void switch_to(const ErrorModel& model, const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept;
+  /// One sample further; costs nothing once settled. Real-time safe: yes.
+  void step() noexcept;
+
+  bool settled() const noexcept { return remaining_ <= 0; }
+  const HealthVector& health_sigma() const noexcept { return health_sigma_; }
+  const AuxiliaryVector& auxiliary_sigma() const noexcept { return auxiliary_sigma_; }
+  /// Of the innovations of the next sample, sensor units squared.
+  const SensorVector& innovation_variance() const noexcept { return innovation_variance_; }
+
+ private:
+  void read_out() noexcept;
+
+  const ErrorModel* model_;
+  BoundedMatrix<max_augmented, max_unknowns> mean_, mean_next_;              ///< M
+  BoundedMatrix<max_augmented, max_augmented> covariance_, product_;         ///< S and scratch
+  BoundedMatrix<max_health, max_unknowns> health_bias_;                      ///< Th M - Gh
+  BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_bias_;                ///< Tz M - Gz
+  BoundedMatrix<max_health, max_augmented> health_spread_;                   ///< Th S
+  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_spread_;             ///< Tz S
+  BoundedMatrix<max_sensors, max_unknowns> sensor_bias_;                     ///< C A M - Gy
+  BoundedMatrix<max_sensors, max_augmented> sensor_spread_;                  ///< C A S
+  HealthVector health_sigma_;
+  AuxiliaryVector auxiliary_sigma_;
+  SensorVector innovation_variance_;
+  int remaining_ = 0;
+};
+
+}  // namespace ehm::estimation

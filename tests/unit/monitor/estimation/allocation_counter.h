@@ -1,0 +1,10 @@
+#pragma once
+// Counts every allocation of a test program: operator new, and malloc and realloc, which Eigen calls directly. The
+// program must be linked with -Wl,--wrap=malloc -Wl,--wrap=realloc.
+
+namespace ehm::test {
+
+/// Allocations since the program started.
+long allocation_count();
+
+}  // namespace ehm::test

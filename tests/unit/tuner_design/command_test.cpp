@@ -1,0 +1,131 @@
+// The command line: exit codes 0, 1, 2 and what is printed where.
+
+#include "tuner_design/commands.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "monitor/design/design_file.h"
+#include "monitor/design/model_file.h"
+#include "tests/unit/tuner_design/test_models.h"
+
+namespace ehm::bench {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Result {
+  int code;
+  std::string out, err;
+};
+
+Result run(std::vector<std::string> arguments) {
+  std::vector<const char*> argv{"tuner_design"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  std::ostringstream out, err;
+  const int code = run_tuner_design(static_cast<int>(argv.size()), argv.data(), out, err);
+  return {code, out.str(), err.str()};
+}
+
+std::string model_on_disk() {
+  const std::string path = test::temporary_path("model.json");
+  design::write_model(test::made_up_model(), path);
+  return path;
+}
+
+TEST(Command, DesignPrintsOneJsonObjectAndWritesTheFile) {
+  const std::string out = test::temporary_path("design.json");
+  const Result result = run({"design", "--model", model_on_disk(), "--out", out, "--qh", "1e-4", "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  const design::Design design = design::read_design(out);
+  EXPECT_EQ(json.at("hash"), design.hash);
+  EXPECT_EQ(design.options.qh_percent2, 1e-4);
+  EXPECT_EQ(json.at("ssee_health").at("total").get<double>(), design.ssee.health.sum());
+  EXPECT_THAT(run({"check", out}).out, HasSubstr(design.hash));
+}
+
+TEST(Command, DesignIsDeterministic) {
+  const std::string model = model_on_disk();
+  const Result a = run({"design", "--model", model, "--out", test::temporary_path("a.json"), "--json"});
+  const Result b = run({"design", "--model", model, "--out", test::temporary_path("b.json"), "--json"});
+  EXPECT_EQ(a.out, b.out);
+}
+
+TEST(Command, DesignTableNamesEveryChannel) {
+  const Result result = run({"design", "--model", model_on_disk(), "--out", test::temporary_path("t.json")});
+  ASSERT_EQ(result.code, 0) << result.err;
+  for (const char* text : {"T40", "Fn", "h5", "closed form, V = H Ph", "without sensor", "slowest time constant"}) {
+    EXPECT_THAT(result.out, HasSubstr(text));
+  }
+}
+
+TEST(Command, CheckOfAModelSaysWhatItIs) {
+  const Result result = run({"check", model_on_disk(), "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json.at("kind"), "linear model");
+  EXPECT_EQ(json.at("health"), 6);
+  EXPECT_EQ(json.at("rank"), 4);
+  EXPECT_TRUE(json.at("observable").get<bool>());
+  EXPECT_EQ(json.at("hash").get<std::string>().size(), 64U);
+}
+
+TEST(Command, WrongDataExitWithOneAndName) {
+  const Result absent = run({"check", "/nonexistent/model.json"});
+  EXPECT_EQ(absent.code, 1);
+  EXPECT_EQ(absent.err,
+            "tuner_design: /nonexistent/model.json: cannot be opened. Check the path and the permissions.\n");
+
+  estimation::LinearModel blind = test::made_up_model();
+  for (Eigen::MatrixXd* matrix : {&blind.C, &blind.M}) matrix->row(3) = matrix->row(2);
+  const std::string path = test::temporary_path("blind.json");
+  design::write_model(blind, path);
+  for (const auto& arguments : {std::vector<std::string>{"check", path},
+                                {"design", "--model", path, "--out", test::temporary_path("blind_design.json")}}) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 1);
+    EXPECT_THAT(result.err, StartsWith("tuner_design: " + path + ": H Ph H^T is singular: sensors {y2, y3}"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(test::temporary_path("blind_design.json")));
+
+  const Result folder = run({"design", "--model", model_on_disk(), "--out", "/nonexistent/design.json"});
+  EXPECT_EQ(folder.code, 1);
+  EXPECT_THAT(folder.err, HasSubstr("/nonexistent/design.json: cannot be written: No such file or directory"));
+}
+
+TEST(Command, WrongUsageExitsWithTwo) {
+  EXPECT_EQ(run({}).code, 2);
+  EXPECT_EQ(run({"fly"}).code, 2);
+  EXPECT_EQ(run({"design"}).code, 2);
+  for (const char* qh : {"-1", "0", "nan", "inf", "fast"}) {
+    const Result result = run({"design", "--model", model_on_disk(), "--out", "d.json", "--qh", qh});
+    EXPECT_EQ(result.code, 2) << qh;
+    EXPECT_THAT(result.err, HasSubstr(qh));
+  }
+  EXPECT_EQ(run({"linearise", "--out", "m.json", "--n1-rpm", "3600", "--t40-k", "1300"}).code, 2);
+  EXPECT_EQ(run({"linearise", "--out", "m.json", "--health", "wing_efficiency=-0.02"}).code, 2);
+  EXPECT_EQ(run({"linearise", "--out", "m.json", "--health", "hpc_efficiency"}).code, 2);
+}
+
+TEST(Command, HelpAndVersionExitWithZero) {
+  const Result help = run({"--help"});
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, HasSubstr("Exit codes: 0 done"));
+  for (const char* command : {"linearise", "design", "check"}) {
+    EXPECT_THAT(help.out, HasSubstr(command));
+    EXPECT_EQ(run({command, "--help"}).code, 0);
+  }
+  const Result version = run({"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_THAT(version.out, StartsWith("tuner_design 0."));
+}
+
+}  // namespace
+}  // namespace ehm::bench

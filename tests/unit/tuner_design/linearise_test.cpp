@@ -1,0 +1,81 @@
+// The linear model against the nonlinear engine that it was made from.
+
+#include "tuner_design/linearise.h"
+
+#include <gtest/gtest.h>
+
+#include "engine_sim/model/engines/jt9d.h"
+#include "monitor/design/model_check.h"
+#include "monitor/estimation/steady_gain.h"
+#include "tuner_design/design_tuner.h"
+
+namespace ehm::bench {
+namespace {
+
+class LineariseAtCruise : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    options.flight = {10668.0, 0.8, 0.0};
+    options.demand = {engine::DemandKind::t40_k, 1308.6};
+    result = linearise(turbofan, options);
+  }
+  static inline const engine::Turbofan turbofan{engine::jt9d()};
+  static inline LineariseOptions options;
+  static inline Linearisation result;
+};
+
+TEST_F(LineariseAtCruise, StepBalancesTruncationAndRoundOff) {
+  EXPECT_GT(result.step, result.study.back().step);
+  EXPECT_LT(result.step, result.study.front().step);
+  for (const StepStudyRow& row : result.study) {
+    EXPECT_TRUE(row.step != result.step || row.change < 1e-5) << row.step << ' ' << row.change;
+  }
+}
+
+TEST_F(LineariseAtCruise, IsAValidStableModel) {
+  EXPECT_NO_THROW(design::check_model(result.model, "linearised"));
+  EXPECT_EQ(result.model.health.size(), 10U);
+  EXPECT_EQ(result.model.sensors.size(), 7U);
+  EXPECT_EQ(result.model.auxiliary.size(), 4U);
+  // The speeds are states and sensors at once.
+  EXPECT_TRUE(result.model.C.topRows(2).isIdentity(1e-9));
+  EXPECT_LT(result.model.M.topRows(2).norm(), 1e-9);
+}
+
+TEST_F(LineariseAtCruise, SteadyGainPredictsASmallDeterioration) {
+  // 0.1 % lost in each parameter in turn at constant fuel flow; the nonlinear change is off by second order only.
+  const engine::SteadyPoint trim = engine::solve_steady(turbofan, options.flight, options.health, options.demand);
+  const engine::Demand fuel{engine::DemandKind::fuel_flow_kg_s, trim.operation.fuel_flow_kg_s};
+  const estimation::SteadyGain steady = estimation::steady_gain(result.model);
+  for (std::size_t i = 0; i < engine::health_count; ++i) {
+    SCOPED_TRACE(engine::health_names[i]);
+    engine::HealthVector health{};
+    health[i] = -0.001;
+    const engine::SteadyPoint worn = engine::solve_steady(turbofan, options.flight, health, fuel);
+    const auto column = static_cast<Eigen::Index>(i);
+    const Eigen::VectorXd change = -0.001 * steady.H.col(column);
+    const double trims[] = {trim.gas.speeds.n1_rpm, trim.gas.s30.tt_k, trim.gas.ps_30_pa};
+    const double actual[] = {worn.gas.speeds.n1_rpm - trim.gas.speeds.n1_rpm, worn.gas.s30.tt_k - trim.gas.s30.tt_k,
+                             worn.gas.ps_30_pa - trim.gas.ps_30_pa};
+    const double predicted[] = {change(0), change(5), change(4)};
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(actual[k] / trims[k], predicted[k] / trims[k], 3e-5) << k;
+    EXPECT_NEAR((worn.gas.net_thrust_n - trim.gas.net_thrust_n) / trim.gas.net_thrust_n,
+                -0.001 * steady.Hz(2, column) / trim.gas.net_thrust_n, 3e-5);
+  }
+}
+
+TEST_F(LineariseAtCruise, DesignComesNearTheLimit) {
+  const design::Design design = design_tuner(result.model, {});
+  EXPECT_LT(design.ssee.health.sum() / design.bayes_limit.health.sum(), 1.05);
+  EXPECT_TRUE(worse_than_prior(design.full, design.model, design.scaling).empty());
+  for (const auto& subset : design.missing) EXPECT_TRUE(subset.has_value());
+}
+
+TEST_F(LineariseAtCruise, HealthAtTrimIsRecorded) {
+  LineariseOptions worn = options;
+  worn.health[engine::hpc_efficiency] = -0.01;
+  EXPECT_EQ(linearise(turbofan, worn).model.health[engine::hpc_efficiency].trim, -0.01);
+}
+
+}  // namespace
+}  // namespace ehm::bench

@@ -1,0 +1,141 @@
+// The reference numbers of THEORY section 5, JT9D at cruise: Ph 2 %, noise of [SG] table 2, process noise 1e-4
+// percent^2.
+
+#include <gtest/gtest.h>
+
+#include "monitor/estimation/scaling.h"
+#include "monitor/estimation/steady_gain.h"
+#include "tests/unit/tuner_design/test_models.h"
+#include "tuner_design/baselines.h"
+#include "tuner_design/design_tuner.h"
+#include "tuner_design/discretise.h"
+#include "tuner_design/kalman_error.h"
+#include "tuner_design/kalman_gain.h"
+
+namespace ehm::bench {
+namespace {
+
+constexpr double rankine2_per_kelvin2 = 3.24;
+
+/// Sum over T40 and T50 in degR^2, Fn in percent^2 and SmLPC in points^2: the unit form of THEORY section 5.
+double auxiliary_total_rankine(const Eigen::VectorXd& ssee) {
+  return rankine2_per_kelvin2 * (ssee(0) + ssee(1)) + ssee(2) + ssee(3);
+}
+
+class ReferenceNumbers : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto found = test::jt9d_cruise();
+    if (!found) GTEST_SKIP() << test::no_reference;
+    model = *found;
+    scaled = estimation::scaled(discretise(model), estimation::scaling_of(model));
+    steady = estimation::steady_gain(scaled);
+  }
+  design::Design designed(double qh) const {
+    design::DesignOptions options;
+    options.qh_percent2 = qh;
+    return design_tuner(model, options);
+  }
+  /// Kalman filter on given tuners at Qh = 1e-5.
+  design::SubsetDesign on_tuners(const Eigen::MatrixXd& V) const {
+    design::SubsetDesign design = kalman_gain(scaled, {0, 1, 2, 3, 4, 5, 6}, V, 1e-5);
+    add_error_theory(design, scaled, steady);
+    return design;
+  }
+  estimation::LinearModel model, scaled;
+  estimation::SteadyGain steady;
+};
+
+TEST_F(ReferenceNumbers, FullAndReducedMap) {
+  const design::Design design = designed(1e-3);
+  EXPECT_NEAR(design.full_map.health.sum() / 19.717, 1.0, 1e-4);
+  // The closed form loses nothing: equal for health and for the auxiliary outputs, channel by channel.
+  EXPECT_NEAR(design.reduced_map.health.sum() / design.full_map.health.sum(), 1.0, 1e-9);
+  EXPECT_TRUE(design.reduced_map.health.isApprox(design.full_map.health, 1e-9));
+  EXPECT_TRUE(design.reduced_map.auxiliary.isApprox(design.full_map.auxiliary, 1e-9));
+}
+
+TEST_F(ReferenceNumbers, BayesLimit) {
+  const design::Design design = designed(1e-3);
+  EXPECT_NEAR(design.bayes_limit.health.sum() / 12.000, 1.0, 1e-4);
+  EXPECT_NEAR(auxiliary_total_rankine(design.bayes_limit.auxiliary) / 103.695, 1.0, 1e-4);
+  // T40 can be known exactly at this point (THEORY section 5: 4e-11 percent^2).
+  EXPECT_LT(design.bayes_limit.auxiliary(0), 1e-9);
+}
+
+TEST_F(ReferenceNumbers, KalmanAtTheReferenceQh) {
+  const design::Design design = designed(1e-5);
+  EXPECT_NEAR(design.ssee.health.sum() / 12.015, 1.0, 1e-4);
+  EXPECT_NEAR(auxiliary_total_rankine(design.ssee.auxiliary) / 104.27, 1.0, 1e-4);
+  EXPECT_NEAR(design.full.slowest_time_constant_s, 19.9, 0.05);
+  // The bounds of issue 4 by channel, reporting units, with one V.
+  EXPECT_EQ(design.scaling.auxiliary_unit, (std::vector<std::string>{"K", "K", "percent", "points"}));
+  EXPECT_LE(design.ssee.auxiliary(0), 0.111);
+  EXPECT_LE(design.ssee.auxiliary(1), 31.15);
+  EXPECT_LE(design.ssee.auxiliary(2), 1.856);
+  EXPECT_LE(design.ssee.auxiliary(3), 1.187);
+}
+
+TEST_F(ReferenceNumbers, KalmanAtTheFlyingQh) {
+  const design::Design design = designed(1e-3);
+  EXPECT_NEAR(design.ssee.health.sum() / 12.155, 1.0, 1e-4);
+  EXPECT_NEAR(auxiliary_total_rankine(design.ssee.auxiliary) / 108.1, 1.0, 2e-4);  // 108.1 is given to four digits
+  EXPECT_NEAR(design.full.slowest_time_constant_s, 2.0, 0.05);
+}
+
+TEST_F(ReferenceNumbers, SubsetBaseline) {
+  const Eigen::MatrixXd V =
+      subset_tuners(model, {"FAN_flow", "LPC_eff", "HPC_eff", "HPC_flow", "HPT_eff", "HPT_flow", "LPT_flow"});
+  const design::SubsetDesign design = on_tuners(V);
+  EXPECT_NEAR(design.health_total_covariance.trace() / 106.9935, 1.0, 1e-4);  // 107.0; digits from numpy and scipy
+  EXPECT_NEAR(auxiliary_total_rankine(design.auxiliary_total_covariance.diagonal()) / 274.2305, 1.0, 1e-4);
+}
+
+TEST_F(ReferenceNumbers, SvdBaseline) {
+  // [H; Hz] with temperatures in degR, as the reference was made.
+  const Eigen::MatrixXd Hz_rankine = Eigen::Vector4d(1.8, 1.8, 1.0, 1.0).asDiagonal() * steady.Hz;
+  const design::SubsetDesign design = on_tuners(svd_tuners(steady.H, Hz_rankine, 7));
+  EXPECT_NEAR(design.health_total_covariance.trace() / 96.0604, 1.0, 1e-4);  // 96.1; digits from numpy and scipy
+  EXPECT_NEAR(auxiliary_total_rankine(design.auxiliary_total_covariance.diagonal()) / 1755.645, 1.0, 1e-4);
+}
+
+TEST_F(ReferenceNumbers, OneHundredTimesSmallerNoiseReachesTheLimit) {
+  model.sensor_noise_sigma *= 0.01;
+  model.process_noise *= 1e-4;
+  const design::Design design = designed(1e-9);
+  EXPECT_NEAR(design.ssee.health.sum() / design.bayes_limit.health.sum(), 1.0, 1e-4);
+}
+
+TEST_F(ReferenceNumbers, EveryMissingSensorHasADesignBelowThePrior) {
+  const design::Design design = designed(1e-3);
+  ASSERT_EQ(design.missing.size(), 7U);
+  for (const auto& subset : design.missing) {
+    ASSERT_TRUE(subset.has_value());
+    EXPECT_EQ(subset->V.rows(), 6);
+    EXPECT_GE(subset->health_total_covariance.trace(), design.ssee.health.sum());
+    EXPECT_LT(subset->health_total_covariance.diagonal().maxCoeff(), 4.0) << "prior: (2 %)^2";
+  }
+}
+
+TEST_F(ReferenceNumbers, Mapss) {
+  const auto all = test::mapss();
+  ASSERT_TRUE(all.has_value());
+  design::DesignOptions options;
+  const design::Design unreduced = design_tuner(*all, options);
+  EXPECT_TRUE(unreduced.full.V.isIdentity());
+  EXPECT_EQ(unreduced.bayes_limit.health.sum(), 0.0) << "eleven sensors see all eight health parameters";
+  // Without y7 one combination is hardly seen: with eight tuners SSEE would be 5444, far above the prior of 32.
+  ASSERT_TRUE(unreduced.missing[7].has_value());
+  EXPECT_EQ(unreduced.missing[7]->V.rows(), 7);
+  EXPECT_LT(unreduced.missing[7]->health_total_covariance.diagonal().maxCoeff(), 4.0);
+  const auto few = test::mapss({0, 1, 3, 5, 7});
+  const design::Design reduced = design_tuner(*few, options);
+  EXPECT_EQ(reduced.full.V.rows(), 5);
+  // Three of eight directions stay at the prior of (2 %)^2.
+  EXPECT_NEAR(reduced.bayes_limit.health.sum() / (3 * 4.0), 1.0, 1e-9);
+  EXPECT_GE(reduced.ssee.health.sum(), reduced.bayes_limit.health.sum());
+  EXPECT_NEAR(reduced.reduced_map.health.sum() / reduced.full_map.health.sum(), 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace ehm::bench

@@ -1,0 +1,21 @@
+#pragma once
+// Tuner matrices that a design is compared with ([SG] sections "subset" and "SVD"). The bench ranks them by the error
+// of kalman_error.h; all are in scaled units.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "monitor/estimation/linear_model.h"
+
+namespace ehm::bench {
+
+/// Tuners are chosen health parameters themselves: rows of the identity, t x p.
+/// @throws std::invalid_argument if a name is unknown.
+Eigen::MatrixXd subset_tuners(const estimation::LinearModel& model, const std::vector<std::string>& names);
+
+/// First t right singular vectors of [H; Hz] as rows, t x p.
+/// @throws std::invalid_argument if t is not within 1 and p.
+Eigen::MatrixXd svd_tuners(const Eigen::MatrixXd& H, const Eigen::MatrixXd& Hz, Eigen::Index t);
+
+}  // namespace ehm::bench

@@ -1,0 +1,118 @@
+#include "tuner_design/check_report.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "monitor/design/content_hash.h"
+#include "monitor/design/design_file.h"
+#include "monitor/design/file_error.h"
+#include "monitor/design/json_object.h"
+#include "monitor/design/model_file.h"
+#include "monitor/design/model_json.h"
+#include "monitor/estimation/scaling.h"
+#include "monitor/estimation/steady_gain.h"
+#include "tuner_design/design_tuner.h"
+#include "tuner_design/discretise.h"
+
+namespace ehm::bench {
+namespace {
+
+using estimation::LinearModel;
+
+/// Augmented pair on the closed-form tuners: [A, L W; 0, I], [C, M W].
+Eigen::VectorXd augmented_pair(const LinearModel& discrete, const Eigen::MatrixXd& H) {
+  const Eigen::Index tuners = std::min(H.rows(), H.cols());
+  const Eigen::MatrixXd W =  // orthonormal rows: W = V^T
+      closed_form_tuners(H, discrete.sensor_noise_sigma, discrete.health_sigma, tuners).transpose();
+  const Eigen::Index n = discrete.A.rows(), t = W.cols();
+  Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n + t, n + t);
+  A.topLeftCorner(n, n) = discrete.A;
+  A.topRightCorner(n, t) = discrete.L * W;
+  Eigen::MatrixXd C(H.rows(), n + t);
+  C << discrete.C, discrete.M * W;
+  return pair_singular_values(A, C, discrete.sensor_noise_sigma);
+}
+
+std::string schema_of(const std::string& path) {
+  const design::Json json = design::parse_json_file(path);
+  design::JsonObject root(json, path, "");
+  const std::string schema = root.text("schema");
+  if (schema != design::model_schema && schema != design::design_schema) {
+    design::throw_defect(path, "schema", "\"" + schema + "\"",
+                         std::string("\"") + design::model_schema + "\" or \"" + design::design_schema + "\"",
+                         "Give a linear model or a design made by this version");
+  }
+  return schema;
+}
+
+nlohmann::ordered_json values(const Eigen::VectorXd& vector) {
+  return std::vector<double>(vector.begin(), vector.end());
+}
+
+}  // namespace
+
+CheckedFile check_file(const std::string& path) {
+  CheckedFile file;
+  file.schema = schema_of(path);
+  if (file.schema == design::model_schema) {
+    file.kind = "linear model";
+    file.model = design::read_model(path);
+    file.hash = design::sha256_hex(design::model_to_json(file.model, path).dump());
+  } else {
+    file.kind = "design";
+    const design::Design design = design::read_design(path);
+    file.model = design.model;
+    file.hash = design.hash;
+  }
+  const LinearModel discrete = estimation::scaled(discretise(file.model), estimation::scaling_of(file.model));
+  const estimation::SteadyGain steady = estimation::steady_gain(discrete);
+  file.observability = steady_observability(discrete, steady.H);
+  if (file.observability.sufficient()) file.pair_singular_values = augmented_pair(discrete, steady.H);
+  return file;
+}
+
+nlohmann::ordered_json check_as_json(const CheckedFile& file) {
+  const Observability& seen = file.observability;
+  return {{"kind", file.kind},
+          {"schema", file.schema},
+          {"name", file.model.name},
+          {"time", file.model.discrete ? "discrete" : "continuous"},
+          {"sample_time_s", file.model.sample_time_s},
+          {"states", file.model.states.size()},
+          {"controls", file.model.controls.size()},
+          {"health", file.model.health.size()},
+          {"sensors", file.model.sensors.size()},
+          {"auxiliary", file.model.auxiliary.size()},
+          {"observable", seen.sufficient()},
+          {"rank", seen.rank},
+          {"needed_rank", seen.needed_rank},
+          {"singular_values", values(seen.singular_values)},
+          {"condition", seen.condition},
+          {"pair_singular_values", values(file.pair_singular_values)},
+          {"hash", file.hash}};
+}
+
+void print_check(const CheckedFile& file, std::ostream& out) {
+  const LinearModel& model = file.model;
+  const Observability& seen = file.observability;
+  out << file.kind << " (" << file.schema << "), " << model.name << '\n'
+      << "  time           " << (model.discrete ? "discrete" : "continuous") << ", sample " << model.sample_time_s
+      << " s\n"
+      << "  dimensions     " << model.states.size() << " states, " << model.controls.size() << " controls, "
+      << model.health.size() << " health, " << model.sensors.size() << " sensors, " << model.auxiliary.size()
+      << " auxiliary\n"
+      << "  reduction      "
+      << (model.sensors.size() < model.health.size() ? "needed: fewer sensors than health parameters, V = H Ph"
+                                                     : "none needed: V = I")
+      << '\n'
+      << "  observability  rank " << seen.rank << " of " << seen.needed_rank << ", condition " << seen.condition
+      << "\n    singular values of R^-1/2 H Ph^1/2 (signal to noise):";
+  for (const double value : seen.singular_values) out << ' ' << value;
+  if (file.pair_singular_values.size() > 0) {
+    out << "\n    singular values of the augmented pair:";
+    for (const double value : file.pair_singular_values) out << ' ' << value;
+  }
+  out << "\n  hash           " << file.hash << '\n';
+}
+
+}  // namespace ehm::bench

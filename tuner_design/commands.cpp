@@ -1,0 +1,122 @@
+#include "tuner_design/commands.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <ostream>
+
+#include "monitor/design/design_file.h"
+#include "monitor/design/file_error.h"
+#include "monitor/design/model_file.h"
+#include "tuner_design/check_report.h"
+#include "tuner_design/design_report.h"
+#include "tuner_design/design_tuner.h"
+#include "tuner_design/linearise_command.h"
+
+namespace ehm::bench {
+namespace {
+
+constexpr const char* footer =
+    "Exit codes: 0 done; 1 the data are wrong or a computation failed, the reason is on stderr; 2 wrong usage.\n"
+    "Chain: linearise (or your own matrices) -> design -> the file that monitor loads.";
+
+using Action = std::function<void(std::ostream&)>;
+
+struct DesignArguments {
+  std::string model, out;
+  design::DesignOptions options;
+  bool json = false;
+};
+
+void design_to_file(const DesignArguments& arguments, std::ostream& out) {
+  const estimation::LinearModel model = design::read_model(arguments.model);
+  design::Design design;
+  try {
+    design = design_tuner(model, arguments.options);
+  } catch (const std::runtime_error& error) {
+    throw design::FileError(arguments.model + ": " + error.what());
+  }
+  design.hash = design::write_design(design, arguments.out);
+  if (arguments.json) {
+    out << design_as_json(design).dump(2) << '\n';
+    return;
+  }
+  print_design(design, out);
+  out << "  written to " << arguments.out << ", hash " << design.hash << '\n';
+}
+
+void add_design_command(CLI::App& app, Action& run) {
+  const auto arguments = std::make_shared<DesignArguments>();
+  arguments->options.version = EHM_VERSION;
+  CLI::App* command = app.add_subcommand("design", "Tuner, gains and error limits for a linear model");
+  command->add_option("--model", arguments->model, "Linear model file (ehm-linear-model/1)")
+      ->required()
+      ->type_name("M.json");
+  command->add_option("--out", arguments->out, "Design file to write")->required()->type_name("D.json");
+  command
+      ->add_option("--qh", arguments->options.qh_percent2,
+                   "Process noise of each health parameter, percent^2 per sample: larger is faster and noisier")
+      ->capture_default_str()
+      ->check([](const std::string& text) -> std::string {
+        double value = 0.0;
+        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
+        return good ? "" : "'" + text + "' is not a number above 0";
+      });
+  command->add_flag("--json", arguments->json, "Print one JSON object instead of tables");
+  command->callback([arguments, &run] { run = [arguments](std::ostream& out) { design_to_file(*arguments, out); }; });
+}
+
+struct CheckArguments {
+  std::string file;
+  bool json = false;
+};
+
+void check_one(const CheckArguments& arguments, std::ostream& out) {
+  const CheckedFile file = check_file(arguments.file);
+  if (arguments.json) {
+    out << check_as_json(file).dump(2) << '\n';
+  } else {
+    print_check(file, out);
+  }
+  try {
+    require_observable(file.observability, file.model.sensors.size() < file.model.health.size());
+  } catch (const std::runtime_error& error) {
+    throw design::FileError(arguments.file + ": " + error.what());
+  }
+}
+
+void add_check_command(CLI::App& app, Action& run) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* command = app.add_subcommand("check", "Validate a linear model or a design file and say what it is");
+  command->add_option("file", arguments->file, "Linear model or design file")->required()->type_name("FILE");
+  command->add_flag("--json", arguments->json, "Print one JSON object instead of text");
+  command->callback([arguments, &run] { run = [arguments](std::ostream& out) { check_one(*arguments, out); }; });
+}
+
+}  // namespace
+
+int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  Action run;
+  CLI::App app("Offline bench of the engine health monitor: from an engine to the filter that flies.", "tuner_design");
+  app.set_version_flag("--version", std::string("tuner_design ") + EHM_VERSION);
+  app.require_subcommand(1);
+  app.footer(footer);
+  add_linearise_command(app, run);
+  add_design_command(app, run);
+  add_check_command(app, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, err) == 0 ? 0 : 2;
+  }
+  try {
+    run(out);
+    return 0;
+  } catch (const std::exception& error) {
+    err << "tuner_design: " << error.what() << '\n';
+    return 1;
+  }
+}
+
+}  // namespace ehm::bench

@@ -1,0 +1,74 @@
+#include "tuner_design/observability.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace ehm::bench {
+namespace {
+
+/// Channels that take part in the combination `direction`.
+std::vector<std::string> named(const Eigen::VectorXd& direction, const std::vector<estimation::Channel>& channels) {
+  constexpr double takes_part = 0.1;
+  std::vector<std::string> names;
+  for (Eigen::Index i = 0; i < direction.size(); ++i) {
+    if (std::abs(direction(i)) > takes_part) names.push_back(channels[static_cast<std::size_t>(i)].name);
+  }
+  return names;
+}
+
+}  // namespace
+
+Observability steady_observability(const estimation::LinearModel& model, const Eigen::MatrixXd& H) {
+  // Hs = R^-1/2 H Ph^1/2
+  const Eigen::MatrixXd Hs = model.sensor_noise_sigma.cwiseInverse().asDiagonal() * H * model.health_sigma.asDiagonal();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Hs, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Observability result;
+  result.singular_values = svd.singularValues();
+  result.needed_rank = static_cast<int>(std::min(H.rows(), H.cols()));
+  const double largest = result.singular_values(0);
+  const double least = result.singular_values(result.needed_rank - 1);
+  for (const double value : result.singular_values) {
+    if (value > 0.0 && value > Observability::relative_tolerance * largest) ++result.rank;
+  }
+  result.condition = least > 0.0 ? largest / least : std::numeric_limits<double>::infinity();
+  if (!result.sufficient()) {
+    const bool few_sensors = H.rows() < H.cols();
+    result.culprits = few_sensors ? named(svd.matrixU().col(result.needed_rank - 1), model.sensors)
+                                  : named(svd.matrixV().col(result.needed_rank - 1), model.health);
+  }
+  return result;
+}
+
+Eigen::VectorXd pair_singular_values(const Eigen::MatrixXd& A, const Eigen::MatrixXd& C,
+                                     const Eigen::VectorXd& noise_sigma) {
+  const Eigen::Index n = A.rows(), m = C.rows();
+  Eigen::MatrixXd stacked(n * m, n);
+  Eigen::MatrixXd block = noise_sigma.cwiseInverse().asDiagonal() * C;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    stacked.middleRows(k * m, m) = block;
+    block = (block * A).eval();
+  }
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(stacked).singularValues();
+}
+
+void require_observable(const Observability& observability, bool fewer_sensors_than_health) {
+  if (observability.sufficient()) return;
+  std::string names;
+  for (const std::string& name : observability.culprits) names += (names.empty() ? "" : ", ") + name;
+  std::ostringstream message;
+  if (fewer_sensors_than_health) {
+    message << "H Ph H^T is singular: sensors {" << names << "} repeat each other in the steady state";
+  } else {
+    message << "the pair is not observable: the sensors cannot tell health parameters {" << names << "} apart";
+  }
+  message << "; rank " << observability.rank << " of " << observability.needed_rank
+          << " (singular values of R^-1/2 H Ph^1/2 from " << observability.singular_values(0) << " to "
+          << observability.singular_values(observability.needed_rank - 1) << "). "
+          << (fewer_sensors_than_health ? "Remove one of these sensors from the model."
+                                        : "Remove or join one of these health parameters.");
+  throw std::runtime_error(message.str());
+}
+
+}  // namespace ehm::bench
