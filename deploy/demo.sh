@@ -45,7 +45,7 @@ clean_up() {
 trap clean_up EXIT
 trap 'exit 130' INT TERM
 
-"$build/tuner_design/tuner_design" linearise --out "$work/model.json" >&2
+"$build/tuner_design/tuner_design" linearise --method fleet --out "$work/model.json" >&2
 "$build/tuner_design/tuner_design" design --model "$work/model.json" --out "$work/design.json" >&2
 
 # Should this script die without a chance to clean up, the kernel stops the services.

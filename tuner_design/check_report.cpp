@@ -22,8 +22,9 @@ using estimation::LinearModel;
 /// Augmented pair on the closed-form tuners: [A, L W; 0, I], [C, M W].
 Eigen::VectorXd augmented_pair(const LinearModel& discrete, const Eigen::MatrixXd& H) {
   const Eigen::Index tuners = std::min(H.rows(), H.cols());
+  const Eigen::MatrixXd R = discrete.sensor_noise_sigma.cwiseAbs2().asDiagonal();
   const Eigen::MatrixXd W =  // orthonormal rows: W = V^T
-      closed_form_tuners(H, discrete.sensor_noise_sigma, discrete.health_sigma, tuners).transpose();
+      closed_form_tuners(H, R, discrete.health_sigma, tuners).transpose();
   const Eigen::Index n = discrete.A.rows(), t = W.cols();
   Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n + t, n + t);
   A.topLeftCorner(n, n) = discrete.A;

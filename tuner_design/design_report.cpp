@@ -109,7 +109,7 @@ void print_missing(const Design& design, std::ostream& out) {
   for (std::size_t i = 0; i < design.missing.size(); ++i) {
     out << "  " << std::left << std::setw(16) << design.model.sensors[i].name << std::right;
     if (!design.missing[i]) {
-      out << "  no design: health is not observable without it\n";
+      out << "  no design: no tuners keep sigma within the fleet's own\n";
       continue;
     }
     const SubsetDesign& subset = *design.missing[i];

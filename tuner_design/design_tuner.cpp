@@ -1,5 +1,6 @@
 #include "tuner_design/design_tuner.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -33,10 +34,19 @@ Observability observability_of(const LinearModel& model, const Eigen::MatrixXd& 
   return steady_observability(part, H(sensors, Eigen::all));
 }
 
+/// N: what a long average of these sensors still gets wrong.
+Eigen::MatrixXd lasting_noise(const LinearModel& model, const std::vector<int>& sensors) {
+  constexpr double averaging = 1.0 / 256.0;
+  const Eigen::VectorXd sigma = model.sensor_noise_sigma(sensors);
+  const Eigen::MatrixXd R = sigma.cwiseAbs2().asDiagonal();
+  if (model.linearisation_error.size() == 0) return R;
+  return model.linearisation_error(sensors, sensors) + averaging * R;
+}
+
 SubsetDesign design_subset(const LinearModel& model, const SteadyGain& steady, const std::vector<int>& sensors,
                            Eigen::Index tuners, double qh_percent2) {
   const Eigen::MatrixXd V =
-      closed_form_tuners(steady.H(sensors, Eigen::all), model.sensor_noise_sigma(sensors), model.health_sigma, tuners);
+      closed_form_tuners(steady.H(sensors, Eigen::all), lasting_noise(model, sensors), model.health_sigma, tuners);
   SubsetDesign design = kalman_gain(model, sensors, V, qh_percent2);
   add_error_theory(design, model, steady);
   return design;
@@ -46,8 +56,16 @@ bool within_prior(const SubsetDesign& design, const LinearModel& scaled_model) {
   return (design.health_total_covariance.diagonal().array() <= scaled_model.health_sigma.array().square()).all();
 }
 
-/// The design without one sensor, on as many tuners as leave every sigma within the prior; none if that is not
-/// possible.
+/// On as many tuners as leave every sigma within the prior; none if that is not possible.
+std::optional<SubsetDesign> design_within_prior(const LinearModel& model, const SteadyGain& steady,
+                                                const std::vector<int>& sensors, double qh_percent2) {
+  for (Eigen::Index t = observability_of(model, steady.H, sensors).rank; t >= 1; --t) {
+    SubsetDesign design = design_subset(model, steady, sensors, t, qh_percent2);
+    if (within_prior(design, model)) return design;
+  }
+  return std::nullopt;
+}
+
 std::optional<SubsetDesign> design_without(int absent, const LinearModel& model, const SteadyGain& steady,
                                            double qh_percent2) {
   std::vector<int> present;
@@ -55,11 +73,25 @@ std::optional<SubsetDesign> design_without(int absent, const LinearModel& model,
     if (i != absent) present.push_back(i);
   }
   if (present.empty()) return std::nullopt;
+  auto design = design_within_prior(model, steady, present, qh_percent2);
+  if (design || model.linearisation_error.size() == 0) return design;
+  // A model that misses so much of its engine has no such design; the least bad one still tells its true sigma.
   for (Eigen::Index t = observability_of(model, steady.H, present).rank; t >= 1; --t) {
-    SubsetDesign design = design_subset(model, steady, present, t, qh_percent2);
-    if (within_prior(design, model)) return design;
+    SubsetDesign candidate = design_subset(model, steady, present, t, qh_percent2);
+    if (!design || candidate.health_total_covariance.trace() < design->health_total_covariance.trace())
+      design = std::move(candidate);
   }
-  return std::nullopt;
+  return design;
+}
+
+/// All sensors, on as many tuners as sensors; fewer where the model's linearisation error asks for it.
+SubsetDesign design_full(const LinearModel& model, const SteadyGain& steady, const std::vector<int>& all,
+                         double qh_percent2) {
+  if (model.linearisation_error.size() > 0) {
+    if (auto design = design_within_prior(model, steady, all, qh_percent2)) return *design;
+  }
+  const auto tuners = static_cast<Eigen::Index>(std::min(all.size(), model.health.size()));
+  return design_subset(model, steady, all, tuners, qh_percent2);
 }
 
 /// Variances of health and of the auxiliary outputs for an error covariance of health.
@@ -93,7 +125,7 @@ Eigen::MatrixXd row_space(const Eigen::MatrixXd& V) {
   return basis.transpose();
 }
 
-Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::VectorXd& noise_sigma,
+Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::MatrixXd& noise,
                                    const Eigen::VectorXd& health_sigma, Eigen::Index t) {
   if (t < 1 || t > std::min(H.rows(), H.cols())) {
     throw std::invalid_argument("closed form: " + std::to_string(t) + " tuners; allowed 1 to " +
@@ -102,7 +134,9 @@ Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::Vector
   if (t == H.cols()) return Eigen::MatrixXd::Identity(t, t);
   const Eigen::MatrixXd Ph = health_sigma.cwiseAbs2().asDiagonal();
   if (t == H.rows()) return row_space(H * Ph);
-  const Eigen::MatrixXd weighted = noise_sigma.cwiseInverse().asDiagonal() * H;  // R^-1/2 H
+  const Eigen::LLT<Eigen::MatrixXd> factor(noise);
+  if (factor.info() != Eigen::Success) throw std::runtime_error("tuners: the noise covariance N is not positive definite");
+  const Eigen::MatrixXd weighted = factor.matrixL().solve(H);  // N^-1/2 H
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(weighted * health_sigma.asDiagonal(), Eigen::ComputeThinU);
   return row_space(svd.matrixU().leftCols(t).transpose() * weighted * Ph);
 }
@@ -133,8 +167,7 @@ Design design_tuner(const LinearModel& model, const design::DesignOptions& optio
   std::vector<int> all(model.sensors.size());
   std::iota(all.begin(), all.end(), 0);
   require_observable(observability_of(discrete, steady.H, all), all.size() < model.health.size());
-  const auto tuners = static_cast<Eigen::Index>(std::min(all.size(), model.health.size()));
-  design.full = design_subset(discrete, steady, all, tuners, options.qh_percent2);
+  design.full = design_full(discrete, steady, all, options.qh_percent2);
   add_errors_and_limits(design, discrete, steady);
   for (const int absent : all) {
     design.missing.push_back(design_without(absent, discrete, steady, options.qh_percent2));

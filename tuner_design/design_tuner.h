@@ -2,10 +2,12 @@
 // From a linear model to a finished design, by the closed form (THEORY section 5): the bias of the filter is least when
 // range(W) = range(Ph H^T), that is V = T H Ph with any invertible T, for health and every linear auxiliary output at
 // once. T is chosen so that V has orthonormal rows. With at least as many sensors as health parameters nothing has to
-// be reduced: V = I. Only the row space of V matters (Simon & Garg, NASA/TM-2010-216077, section on uniqueness). One
-// design for all sensors, and one without each single sensor. The latter drops the weakest combinations of health
-// parameters, one by one, while a published sigma would exceed the fleet's own: losing a sensor must not be worse than
-// having no estimate.
+// be reduced: V = I. Only the row space of V matters (Simon & Garg, NASA/TM-2010-216077, section on uniqueness).
+// One design for all sensors, and one without each single sensor. A design without a sensor, and every design of a model
+// that knows its linearisation error, drops the weakest combinations of health parameters, one by one, while a published
+// sigma would exceed the fleet's own: an estimate must not be worse than none. Weak is what stands out least from what a
+// long average still gets wrong: N = Lambda_y + R / 256 (some 4 s of samples) with the sensors' part of the linearisation
+// error, N = R where that is unknown.
 
 #include <Eigen/Core>
 #include <string>
@@ -20,10 +22,11 @@ namespace ehm::bench {
 Eigen::MatrixXd row_space(const Eigen::MatrixXd& V);
 
 /// Tuners for the sensors with steady gain H (|S| x p), t x p with orthonormal rows: V = I for t = p, else the row
-/// space of U_t^T R^-1/2 H Ph with U_t the t strongest left singular vectors of R^-1/2 H Ph^1/2, which for t = |S| is
-/// that of H Ph.
+/// space of U_t^T N^-1/2 H Ph with U_t the t strongest left singular vectors of N^-1/2 H Ph^1/2, which for t = |S| is
+/// that of H Ph. `noise` is N, |S| x |S|.
 /// @throws std::invalid_argument if t is not within 1 and min(|S|, p).
-Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::VectorXd& noise_sigma,
+/// @throws std::runtime_error if N is not positive definite.
+Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::MatrixXd& noise,
                                    const Eigen::VectorXd& health_sigma, Eigen::Index t);
 
 /// Names of the health parameters whose total sigma exceeds the fleet's own.

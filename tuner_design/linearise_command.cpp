@@ -22,6 +22,7 @@ struct Arguments {
   std::optional<double> n1_rpm, net_thrust_n, t40_k, fuel_flow_kg_s;
   std::vector<std::string> health;
   bool step_study = false;
+  std::string method = "perturbation";
   int fleet = LineariseOptions{}.fleet;
   std::uint64_t seed = LineariseOptions{}.seed;
 };
@@ -53,6 +54,8 @@ void linearise_to_file(const Arguments& arguments, std::ostream& out) {
   LineariseOptions options;
   options.flight = arguments.flight;
   options.demand = demand_of(arguments);
+  options.method =
+      arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::perturbation;
   options.fleet = arguments.fleet;
   options.seed = arguments.seed;
   for (const std::string& text : arguments.health) {
@@ -65,13 +68,13 @@ void linearise_to_file(const Arguments& arguments, std::ostream& out) {
   design::write_model(result.model, arguments.out);
   if (arguments.step_study) {
     out << "  relative step    largest relative change of a column to the next smaller step\n";
-    for (const StepStudyRow& row : result.study) {
+    for (const StepStudyRow& row : result.study.rows) {
       out << std::scientific << std::setprecision(3) << std::setw(15) << row.step << std::setw(14) << row.change
-          << (row.step == result.step ? "   chosen" : "") << '\n';
+          << (row.step == result.study.step ? "   chosen" : "") << '\n';
     }
     out << std::defaultfloat << std::setprecision(6);
   }
-  out << result.model.name << ": step " << result.step << ", linear model written to " << arguments.out << '\n';
+  out << result.model.name << ", " << arguments.method << ": linear model written to " << arguments.out << '\n';
 }
 
 }  // namespace
@@ -97,6 +100,11 @@ void add_linearise_command(CLI::App& app, std::function<void(std::ostream&)>& ru
         parse_health(text, ignored);
         return std::string();
       });
+  command
+      ->add_option("--method", arguments->method,
+                   "perturbation: tangent at the trim engine; fleet: best fit over engines with the fleet's spread")
+      ->check(CLI::IsMember({"perturbation", "fleet"}))
+      ->capture_default_str();
   command
       ->add_option("--fleet", arguments->fleet, "Engines of the fleet that measure the linearisation error, 0: none")
       ->check(CLI::Range(0, 1000000))

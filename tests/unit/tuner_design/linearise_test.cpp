@@ -25,10 +25,10 @@ class LineariseAtCruise : public ::testing::Test {
 };
 
 TEST_F(LineariseAtCruise, StepBalancesTruncationAndRoundOff) {
-  EXPECT_GT(result.step, result.study.back().step);
-  EXPECT_LT(result.step, result.study.front().step);
-  for (const StepStudyRow& row : result.study) {
-    EXPECT_TRUE(row.step != result.step || row.change < 1e-5) << row.step << ' ' << row.change;
+  EXPECT_GT(result.study.step, result.study.rows.back().step);
+  EXPECT_LT(result.study.step, result.study.rows.front().step);
+  for (const StepStudyRow& row : result.study.rows) {
+    EXPECT_TRUE(row.step != result.study.step || row.change < 1e-5) << row.step << ' ' << row.change;
   }
 }
 
@@ -64,11 +64,37 @@ TEST_F(LineariseAtCruise, SteadyGainPredictsASmallDeterioration) {
   }
 }
 
-TEST_F(LineariseAtCruise, DesignComesNearTheLimit) {
+TEST_F(LineariseAtCruise, DesignOnTheTangentComesNearTheLimitOfTheLinearEngine) {
   const design::Design design = design_tuner(result.model, {});
   EXPECT_LT(design.ssee.health.sum() / design.bayes_limit.health.sum(), 1.05);
+  EXPECT_LT(design.ssee.auxiliary.sum() / design.bayes_limit.auxiliary.sum(), 1.10);
+  // But the engine is not linear: the HPC runs where its map's speed lines change their spacing.
+  EXPECT_EQ(worse_than_prior(design.full, design.model, design.scaling), std::vector<std::string>{"hpc_flow"});
+}
+
+TEST_F(LineariseAtCruise, DesignOnTheFleetsFitIsBetterInAllAndWithinThePrior) {
+  LineariseOptions fleet = options;
+  fleet.method = LineariseMethod::fleet;
+  const design::Design tangent = design_tuner(result.model, {});
+  const design::Design design = design_tuner(linearise(turbofan, fleet).model, {});
+  EXPECT_LT(design.full.health_total_covariance.trace(), tangent.full.health_total_covariance.trace());
+  EXPECT_LT(design.linearisation.health.sum(), 0.1 * tangent.linearisation.health.sum());
   EXPECT_TRUE(worse_than_prior(design.full, design.model, design.scaling).empty());
-  for (const auto& subset : design.missing) EXPECT_TRUE(subset.has_value());
+  for (const auto& subset : design.missing) {
+    ASSERT_TRUE(subset.has_value());
+    EXPECT_TRUE(worse_than_prior(*subset, design.model, design.scaling).empty());
+  }
+}
+
+TEST_F(LineariseAtCruise, TheFleetsFitBalancesAtItsTrim) {
+  LineariseOptions fleet = options;
+  fleet.method = LineariseMethod::fleet;
+  const estimation::LinearModel fit = linearise(turbofan, fleet).model;
+  EXPECT_DOUBLE_EQ(fit.states[0].trim, result.model.states[0].trim);  // the fan speed is the demand
+  // The average engine of a symmetric fleet lies within a percent of the new one.
+  for (std::size_t i = 0; i < fit.sensors.size(); ++i)
+    EXPECT_NEAR(fit.sensors[i].trim, result.model.sensors[i].trim, 0.01 * result.model.sensors[i].trim);
+  EXPECT_TRUE(fit.C.topRows(2).isIdentity(1e-6));
 }
 
 TEST_F(LineariseAtCruise, HealthAtTrimIsRecorded) {

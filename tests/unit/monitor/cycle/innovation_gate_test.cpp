@@ -32,6 +32,12 @@ TEST(InnovationGate, SeveralOutsideAreTheEngineAndAreFused) {
   EXPECT_TRUE(d.rejected.none());
 }
 
+TEST(InnovationGate, OneOutsideAmongRestlessOthersIsTheEngine) {
+  // The three others sum to 27 where three degrees of freedom with four standard deviations allow 12.8.
+  const auto d = monitor::innovation_gate(vector({9.0, 3.0, 3.0, -3.0}), vector({1.0, 1.0, 1.0, 1.0}), 0b1111, 5.0);
+  EXPECT_TRUE(d.rejected.none());
+}
+
 TEST(InnovationGate, SensorsThatAreNotOfferedDoNotCount) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto d = monitor::innovation_gate(vector({9.0, 9.0, nan}), vector({1.0, 1.0, 1.0}), 0b001, 5.0);

@@ -95,6 +95,8 @@ struct Defect {
   const char* message;
 };
 
+void PrintTo(const Defect& defect, std::ostream* out) { *out << defect.name; }
+
 class ModelFileDefect : public ::testing::TestWithParam<Defect> {};
 
 TEST_P(ModelFileDefect, HasItsMessage) {
@@ -106,8 +108,9 @@ const Defect defects[] = {
     {"MissingSigma", [](Json& j) { j["health"][2].erase("sigma"); }, "key health[2].sigma is missing. Add it."},
     {"MissingTrim", [](Json& j) { j["sensors"][1].erase("trim"); }, "key sensors[1].trim is missing. Add it."},
     {"UnknownKey", [](Json& j) { j["H"] = 1; },
-     "key H is unknown; allowed here: A, B, C, D, F, G, L, M, N, auxiliary, controls, engine_type, health, name, "
-     "operating_point, process_noise, sample_time_s, schema, sensors, states, time. Correct the spelling or remove "
+     "key H is unknown; allowed here: A, B, C, D, F, G, L, M, N, auxiliary, controls, engine_type, health, "
+     "linearisation_error, name, operating_point, process_noise, sample_time_s, schema, sensors, states, time. Correct "
+     "the spelling or remove "
      "it."},
     {"UnknownChannelKey", [](Json& j) { j["states"][0]["sigma"] = 1; },
      "key states[0].sigma is unknown; allowed here: name, trim, unit. Correct the spelling or remove it."},

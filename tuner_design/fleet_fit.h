@@ -1,0 +1,40 @@
+#pragma once
+// The linear model that serves a whole fleet best, and what it still misses.
+//
+// Engines with h ~ N(0, health_sigma^2) run in steady state at the trim's fan speed. Over them, each moved a little off its
+// balance so that speeds and fuel are told apart from health,
+//   f(v) ~ f0 + J (v - v0)                             least squares, v and f of engine_channels.h
+// Where the engine is curved or kinked over the fleet's spread (map lines change their spacing) this beats the tangent at
+// the new engine; it is statistical linearisation. The trim moves to where the fitted engine is in balance.
+// What is left is measured on the same fleet in steady state, as the filter meets it:
+//   Lambda = E[r r^T],  r = [y; z] - trim - linear steady [y; z] under the engine's own fuel flow and health.
+
+#include <cstdint>
+
+#include "tuner_design/engine_channels.h"
+
+namespace ehm::bench {
+
+/// v and f of one steady engine in each column.
+struct Fleet {
+  Eigen::MatrixXd inputs, outputs;
+};
+
+/// @throws std::runtime_error if more than one engine in a hundred has no steady point.
+Fleet steady_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, double health_sigma, int engines,
+                   std::uint64_t seed);
+
+/// Fitted trim and derivatives.
+struct FleetFit {
+  Eigen::VectorXd inputs, outputs;  ///< v and f of the fitted engine with the trim's health and fan speed, in balance
+  Eigen::MatrixXd jacobian;
+};
+
+/// @throws std::runtime_error if the fleet is too small to tell all inputs apart.
+FleetFit fit_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, const Fleet& fleet,
+                   std::uint64_t seed);
+
+/// Lambda of a continuous model with its trims, (m+r) x (m+r), channel units.
+Eigen::MatrixXd linearisation_error(const estimation::LinearModel& model, const Fleet& fleet);
+
+}  // namespace ehm::bench

@@ -1,0 +1,30 @@
+#pragma once
+// Tangent of the nonlinear engine at a steady point by central differences (Endurthi thesis ch. 4, perturbation method):
+//   df/dv_j = ( f(v + s e_j) - f(v - s e_j) ) / 2 s
+// The step is relative to trim for speeds and fuel, absolute for health, one for all columns: the truncation error falls
+// with s^2, the round-off error of the flow balance grows with 1/s, and the study takes the s between whose neighbours the
+// scaled derivatives change least.
+
+#include <vector>
+
+#include "tuner_design/engine_channels.h"
+
+namespace ehm::bench {
+
+/// One step of the study.
+struct StepStudyRow {
+  double step = 0.0;
+  double change = 0.0;  ///< largest relative change of a scaled column to the next smaller step
+};
+
+struct StepStudy {
+  Eigen::MatrixXd jacobian;  ///< df/dv, 13 x 13, at the chosen step
+  double step = 0.0;
+  std::vector<StepStudyRow> rows;
+};
+
+/// Steps from 1e-2 down by half decades.
+/// @throws std::runtime_error if no step gives derivatives that agree to 1e-3 with its neighbour's.
+StepStudy study_steps(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim);
+
+}  // namespace ehm::bench
