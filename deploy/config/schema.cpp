@@ -90,6 +90,7 @@ void Schema::add_flags(CLI::App& app) {
            entry.description + " [" + entry.allowed_text() + "; default " + entry.default_text + "; " +
                environment_name(entry.key) + "]")
         ->type_name("")
+        ->take_last()
         ->group("Configuration");
   }
 }

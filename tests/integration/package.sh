@@ -25,8 +25,7 @@ start() { setpriv --pdeathsig TERM -- "$@" & children+=($!); }
 start "$work/prefix/bin/monitor" --monitor-design "$design" --dds-domain "$domain" --log-level warn
 start "$work/prefix/bin/engine_sim" --dds-domain "$domain" --run-wait-for-monitors 1 --log-level warn
 for program in subscriber_cpp/health_subscriber subscriber_c/health_subscriber_c; do
-  # The first line ends the program: grep -m1 closes the pipe.
-  timeout 20 "$work/$program" "$domain" 2>/dev/null | grep -m1 -E '^engine 1 sample [0-9]+: .*-?[0-9.]+ \+- [0-9.]+' || {
+  grep -m1 -E '^engine 1 sample [0-9]+: .*-?[0-9.]+ \+- [0-9.]+' < <(timeout 20 "$work/$program" "$domain" 2>&1) || {
     echo "package: $program printed no estimate"
     exit 1
   }

