@@ -16,6 +16,7 @@
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
+#include "idl/wire_values.h"
 
 namespace {
 
@@ -73,9 +74,8 @@ class Ears {
 
 /// The flight is over when its time has passed, truth no longer advances and the monitor has accounted for the last sample.
 bool over(const demo::WatchData& data, const Options& options) {
-  return options.seconds > 0.0 && data.flight_time_s() > options.seconds - 0.1 && data.status() &&
-         data.status()->last_sequence() + 1 == data.published() && data.status()->samples_received() > 0 &&
-         data.status()->level() >= 3;
+  return options.seconds > 0.0 && data.flight_time_s() > options.seconds - 0.1 && data.accounted() &&
+         data.received() > 0 && data.status()->level() >= static_cast<std::uint32_t>(wire::StatusLevel::stale);
 }
 
 void watch(Ears& ears, demo::WatchData& data, const Options& options) {
@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
     watch(ears, data, options);
     std::cout << (options.json ? demo::json(data) : demo::summary(data));
     if (options.seconds <= 0.0) return service::exit_ok;
-    const std::string verdict = demo::verdict(data, 3.0);
+    const std::string verdict = over(data, options) ? demo::verdict(data, 3.0) : "the flight did not come to its end";
     if (verdict.empty()) return service::exit_ok;
     std::cerr << "ehm_watch: " << verdict << '\n';
     return service::exit_failed;

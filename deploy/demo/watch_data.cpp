@@ -60,6 +60,12 @@ std::vector<Row> WatchData::auxiliary() const {
   return rows;
 }
 
+std::uint64_t WatchData::lost() const {
+  if (!status_) return 0;
+  if (!accounted()) return status_->samples_lost();
+  return published() > received() ? published() - received() : 0;
+}
+
 double WatchData::flight_time_s() const {
   return health_ && first_time_ns_ ? 1e-9 * static_cast<double>(health_->source_time_ns() - *first_time_ns_) : 0.0;
 }

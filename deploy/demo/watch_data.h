@@ -51,7 +51,10 @@ class WatchData {
   /// Samples that the simulator sent, by the number of the last one.
   std::uint64_t published() const { return last_truth_ ? last_truth_->sequence_number() + 1 : 0; }
   std::uint64_t received() const { return status_ ? status_->samples_received() : 0; }
-  std::uint64_t lost() const { return published() > received() ? published() - received() : 0; }
+  /// The monitor has accounted for the last sample that was sent.
+  bool accounted() const { return status_ && status_->last_sequence() + 1 == published(); }
+  /// What the monitor counted, and once it has accounted for all, what never reached it at the start or the end.
+  std::uint64_t lost() const;
 
  private:
   const EngineTruth* truth_of(std::uint64_t sequence) const;

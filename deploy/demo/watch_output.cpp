@@ -38,7 +38,7 @@ std::string counts_text(const WatchData& data) {
   return fmt::format("rate {:.1f}/s  latency p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us  estimates {}  lost {}",
                      status ? status->rate_hz() : 0.0, data.latency().percentile_us(0.5),
                      data.latency().percentile_us(0.99), data.latency().max_us(), data.estimates(),
-                     status ? status->samples_lost() : 0);
+                     data.lost());
 }
 
 std::string event_text(const EventLine& event) {

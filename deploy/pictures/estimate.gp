@@ -10,15 +10,15 @@ set format x ''
 set key top right horizontal
 est = '#1f6fb2'; tru = '#222222'; band = '#bcd7ee'
 set ylabel 'HPC efficiency, %'
-plot csv using 'time_s':(100*(column('hpc_efficiency_estimate')-column('hpc_efficiency_sigma'))):(100*(column('hpc_efficiency_estimate')+column('hpc_efficiency_sigma'))) with filledcurves lc rgb band title 'one published sigma', \
-     '' using 'time_s':(100*column('hpc_efficiency_estimate')) with lines lw 1.5 lc rgb est title 'estimate', \
-     '' using 'time_s':(100*column('hpc_efficiency_truth')) with lines lw 2 dt 2 lc rgb tru title 'truth'
+plot csv every 4 using 'time_s':(100*(column('hpc_efficiency_estimate')-column('hpc_efficiency_sigma'))):(100*(column('hpc_efficiency_estimate')+column('hpc_efficiency_sigma'))) with filledcurves lc rgb band title 'one published sigma', \
+     '' every 4 using 'time_s':(100*column('hpc_efficiency_estimate')) with lines lw 1.5 lc rgb est title 'estimate', \
+     '' every 4 using 'time_s':(100*column('hpc_efficiency_truth')) with lines lw 2 dt 2 lc rgb tru title 'truth'
 unset key
 set ylabel 'T40, K'
-plot csv using 'time_s':(column('T40_estimate')-column('T40_sigma')):(column('T40_estimate')+column('T40_sigma')) with filledcurves lc rgb band, \
-     '' using 'time_s':'T40_estimate' with lines lw 1.5 lc rgb est, '' using 'time_s':'T40_truth' with lines lw 2 dt 2 lc rgb tru
+plot csv every 4 using 'time_s':(column('T40_estimate')-column('T40_sigma')):(column('T40_estimate')+column('T40_sigma')) with filledcurves lc rgb band, \
+     '' every 4 using 'time_s':'T40_estimate' with lines lw 1.5 lc rgb est, '' every 4 using 'time_s':'T40_truth' with lines lw 2 dt 2 lc rgb tru
 set format x '%g'
 set xlabel 'time, s'
 set ylabel 'net thrust, kN'
-plot csv using 'time_s':((column('Fn_estimate')-column('Fn_sigma'))/1000):((column('Fn_estimate')+column('Fn_sigma'))/1000) with filledcurves lc rgb band, \
-     '' using 'time_s':(column('Fn_estimate')/1000) with lines lw 1.5 lc rgb est, '' using 'time_s':(column('Fn_truth')/1000) with lines lw 2 dt 2 lc rgb tru
+plot csv every 4 using 'time_s':((column('Fn_estimate')-column('Fn_sigma'))/1000):((column('Fn_estimate')+column('Fn_sigma'))/1000) with filledcurves lc rgb band, \
+     '' every 4 using 'time_s':(column('Fn_estimate')/1000) with lines lw 1.5 lc rgb est, '' every 4 using 'time_s':(column('Fn_truth')/1000) with lines lw 2 dt 2 lc rgb tru

@@ -14,6 +14,13 @@ namespace {
 using estimation::Channel;
 using estimation::LinearModel;
 
+/// Names and units travel in bounded strings.
+void check_length(const std::string& text, std::size_t most, const std::string& key, const std::string& file) {
+  if (text.size() <= most) return;
+  throw_defect(file, key, std::to_string(text.size()) + " characters long", "at most " + std::to_string(most),
+               "Shorten it");
+}
+
 void check_channels(const std::vector<Channel>& channels, const std::string& list, std::size_t least, int capacity,
                     const std::string& file) {
   const auto most = static_cast<std::size_t>(capacity);
@@ -27,6 +34,8 @@ void check_channels(const std::vector<Channel>& channels, const std::string& lis
     const std::string at = list + "[" + std::to_string(i) + "]";
     const std::string& name = channels[i].name;
     if (name.empty()) throw_defect(file, at + ".name", "empty", "a text that is not empty", "Name the channel");
+    check_length(name, estimation::max_name_length, at + ".name", file);
+    check_length(channels[i].unit, estimation::max_unit_length, at + ".unit", file);
     if (!names.insert(name).second) {
       throw_defect(file, at + ".name", "\"" + name + "\" again", "each name once in its list", "Rename one of the two");
     }
@@ -134,6 +143,7 @@ void check_model(const LinearModel& model, const std::string& file) {
                  "Give the sample time in seconds");
   }
   check_matrices(model, file);
+  check_length(model.engine_type, estimation::max_name_length, "engine_type", file);
   check_positive(model.health_sigma, "health", "sigma", "Give the standard deviation over the fleet", file);
   check_positive(model.sensor_noise_sigma, "sensors", "noise_sigma",
                  "Give the standard deviation of one sample's noise", file);

@@ -16,6 +16,7 @@ inline constexpr int max_auxiliary = 8;
 inline constexpr int max_actuators = 8;
 inline constexpr int max_states = 8;
 inline constexpr int max_tuners = 16;
+inline constexpr std::size_t max_name_length = 63, max_unit_length = 31;  ///< characters of a channel's name and unit
 inline constexpr int max_augmented = max_states + max_tuners;
 static_assert(max_augmented == 24);
 

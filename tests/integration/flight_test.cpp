@@ -138,6 +138,25 @@ TEST_F(FlightTest, AnOrderedStopSaysSo) {
   EXPECT_EQ(simulator->wait(seconds(5)), 0);
 }
 
+TEST_F(FlightTest, OneMonitorServesSeveralEngines) {
+  const auto monitor = start_monitor();
+  const auto first = start_simulator({"--run-duration-s", "3"});
+  const auto second = start_simulator({"--run-duration-s", "3", "--engine-id", "2", "--run-seed", "5"});
+  ASSERT_TRUE(listener_.await([&] { return !first->running() && !second->running(); }));
+  const auto estimates = [&](std::uint32_t engine) {
+    return std::count_if(listener_.health.begin(), listener_.health.end(), [&](const auto& h) { return h.engine_id() == engine; });
+  };
+  EXPECT_TRUE(listener_.await([&] { return estimates(1) == 200 && estimates(2) == 200; }));
+  const auto described = [&](std::uint32_t engine) {
+    return std::any_of(listener_.descriptions.begin(), listener_.descriptions.end(), [&](const auto& d) {
+      return d.engine_id() == engine && d.role() == static_cast<std::uint32_t>(wire::DescriptionRole::monitor) &&
+             d.health_count() == 10 && d.design_hash().size() == 64;
+    });
+  };
+  EXPECT_TRUE(described(1));
+  EXPECT_TRUE(described(2));
+}
+
 TEST_F(FlightTest, CommandsReachBothServices) {
   const auto monitor = start_monitor();
   const auto simulator = start_simulator();

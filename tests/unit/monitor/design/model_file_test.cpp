@@ -104,6 +104,8 @@ TEST_P(ModelFileDefect, HasItsMessage) {
 }
 
 const Defect defects[] = {
+    {"LongName", [](Json& j) { j["health"][1]["name"] = std::string(64, 'x'); },
+     "health[1].name is 64 characters long; allowed: at most 63. Shorten it."},
     {"MissingKey", [](Json& j) { j.erase("A"); }, "key A is missing. Add it."},
     {"MissingSigma", [](Json& j) { j["health"][2].erase("sigma"); }, "key health[2].sigma is missing. Add it."},
     {"MissingTrim", [](Json& j) { j["sensors"][1].erase("trim"); }, "key sensors[1].trim is missing. Add it."},

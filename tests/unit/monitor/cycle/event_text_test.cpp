@@ -1,0 +1,46 @@
+#include "monitor/dds/event_text.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace ehm;
+using monitor::Event;
+using wire::EventKind;
+
+estimation::LinearModel model() {
+  estimation::LinearModel m;
+  m.sensors = {{"T30", "K", 667.0}};
+  m.health = {{"hpc_efficiency", "fraction", 0.0}};
+  m.auxiliary = {{"T40", "K", 1308.0}};
+  return m;
+}
+
+std::string text(const Event& event) { return monitor::event_text(event, model()); }
+
+TEST(EventText, SaysWhatHappenedToWhichChannel) {
+  namespace reason = wire::reject_reason;
+  EXPECT_EQ(text({EventKind::sensor_fault, 0, true, 1.4, 1.0, reason::stuck | reason::innovation_gate}),
+            "sensor T30 is faulty (stuck, outside the innovation gate): the design without it flies");
+  EXPECT_EQ(text({EventKind::sensor_fault, 0, false, 0.0, 0.0, 0}), "sensor T30 is good again and used");
+  EXPECT_EQ(text({EventKind::health_shift, 0, true, -0.0174, 0.0121, 0}),
+            "hpc_efficiency changed by -0.0174 fraction (noticeable from 0.0121)");
+  EXPECT_EQ(text({EventKind::auxiliary_limit, 0, true, 1391.5, 1380.0, 0}), "T40 is 1391.5 K, beyond its limit 1380");
+  EXPECT_EQ(text({EventKind::health_limit, 0, false, 0.0, 0.0, 0}), "hpc_efficiency is back inside its limit");
+  EXPECT_EQ(text({EventKind::input_lost, 0, true, 0.0461, 0.045, 0}), "no sample for 0.046 s, estimates are stale");
+  EXPECT_EQ(text({EventKind::no_design, 0, true, 2.0, 1.0, 0}),
+            "2 sensors are faulty and no design flies without them: estimates are withheld");
+}
+
+TEST(EventText, NamesTheChannelOnlyWhereThereIsOne) {
+  EXPECT_EQ(monitor::channel_name({EventKind::health_shift, 0, true, 0, 0, 0}, model()), "hpc_efficiency");
+  EXPECT_EQ(monitor::channel_name({EventKind::input_lost, 0, true, 0, 0, 0}, model()), "");
+}
+
+TEST(EventText, FitsTheWire) {
+  estimation::LinearModel m = model();
+  m.health[0] = {std::string(63, 'h'), std::string(31, 'u'), 0.0};
+  EXPECT_LE(monitor::event_text({EventKind::health_shift, 0, true, -0.123456, 0.123456, 0}, m).size(), 255u);
+}
+
+}  // namespace
