@@ -7,6 +7,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <iostream>
+#include <optional>
 
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
@@ -49,14 +50,21 @@ int main(int argc, char** argv) {
     return service::exit_usage;
   }
 
+  std::optional<engine::Simulation> simulation;
   try {
-    engine::Simulation simulation(config.scenario);
-    if (check_config) {
-      std::cout << "configuration is valid; fan speed demand " << simulation.nominal().speeds.n1_rpm << " rpm\n";
-      return service::exit_ok;
-    }
+    simulation.emplace(config.scenario);
+  } catch (const std::exception& e) {
+    std::cerr << "engine_sim: 'demand', 'flight' or 'wear': " << e.what() << '\n';
+    return service::exit_usage;
+  }
+  if (check_config) {
+    std::cout << "configuration is valid; fan speed demand " << simulation->nominal().speeds.n1_rpm << " rpm\n";
+    return service::exit_ok;
+  }
+
+  try {
     const service::StopSignal stop;
-    engine::run(config, simulation, stop);
+    engine::run(config, *simulation, stop);
     return service::exit_ok;
   } catch (const std::exception& e) {
     std::cerr << "engine_sim: " << e.what() << '\n';

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <thread>
@@ -53,9 +54,13 @@ class SourceClock {
   std::int64_t start_ns_;
 };
 
-void wait_for_monitors(const SimPublisher& publisher, std::int64_t wanted, const service::StopSignal& stop) {
-  if (publisher.monitors() < wanted) spdlog::info("waiting for {} reader(s) of EngineSensors", wanted);
-  while (publisher.monitors() < wanted && !stop.requested()) std::this_thread::sleep_for(match_poll);
+/// Under lockstep somebody must listen and answer before the first sample, or its window would never be answered.
+void wait_for_monitors(const SimPublisher& publisher, const std::optional<Lockstep>& lockstep, std::int64_t wanted,
+                       const service::StopSignal& stop) {
+  if (lockstep) wanted = std::max<std::int64_t>(wanted, 1);
+  const auto ready = [&] { return publisher.monitors() >= wanted && (!lockstep || lockstep->monitors() > 0); };
+  if (!ready()) spdlog::info("waiting for {} reader(s) of EngineSensors", wanted);
+  while (!ready() && !stop.requested()) std::this_thread::sleep_for(match_poll);
   if (wanted > 0 && !stop.requested()) std::this_thread::sleep_for(match_settling);
 }
 
@@ -72,7 +77,7 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   std::optional<Lockstep> lockstep;
   if (rate == 0.0) lockstep.emplace(participant, engine_id, static_cast<std::uint64_t>(config.lockstep_window));
   publisher.describe(simulation);
-  wait_for_monitors(publisher, config.wait_for_monitors, stop);
+  wait_for_monitors(publisher, lockstep, config.wait_for_monitors, stop);
 
   spdlog::info("engine {} flies at {} m, Mach {}, fan speed {:.1f} rpm", engine_id, scenario.flight.altitude_m,
                scenario.flight.mach, simulation.nominal().speeds.n1_rpm);

@@ -3,10 +3,12 @@
 //
 // Sample k is taken at t = k dt. The fuel flow of sample k acts from t to t + dt, and its direct effect on pressures and
 // temperatures is in the readings of sample k: u[k] of THEORY.md section 4.
-// @throws SolveError when the engine cannot run as demanded (the message names the balance that does not close).
+// @throws FlightError when the engine cannot run as demanded: says when, where, what was demanded, and which balance does not
+//         close.
 
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 
 #include "engine_sim/model/transient.h"
 #include "engine_sim/scenario/deterioration.h"
@@ -25,6 +27,11 @@ struct SimSample {
   std::array<double, auxiliary_count> auxiliary{};
 };
 
+class FlightError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 class Simulation {
  public:
   explicit Simulation(const Scenario& scenario);
@@ -39,11 +46,18 @@ class Simulation {
 
   void demand(double n1_rpm) { profile_.override_demand(n1_rpm); }
   void fly(const FlightCondition& flight) { profile_.override_flight(flight); }
-  void change_health(const HealthChange& change) { deterioration_.add(change); }
+  /// Moves a health parameter to `target` within ramp_s, from now on.
+  void order_health(std::size_t parameter, double target, double ramp_s) {
+    deterioration_.order(parameter, target, ramp_s, time_s());
+  }
+  /// Can the engine run in steady state there, at the present demand and health?
+  bool can_fly(const FlightCondition& flight) const;
   HealthVector health() const { return deterioration_.at(time_s()); }
   void inject(std::size_t sensor, const SensorFault& fault) { sensors_.inject(sensor, fault); }
 
  private:
+  GasPath output(const Operation& operation, double time_s);
+
   Scenario scenario_;
   Turbofan turbofan_;
   SteadyPoint nominal_;

@@ -13,7 +13,7 @@ namespace estimate_flag {
 inline constexpr std::uint32_t converging = 1u << 0;  ///< filter started less than seven of its slowest time constants ago
 inline constexpr std::uint32_t bridging = 1u << 1;    ///< a sensor of the design was predicted, not fused
 inline constexpr std::uint32_t degraded = 1u << 2;    ///< a design without some sensor flies
-inline constexpr std::uint32_t off_design = 1u << 3;  ///< outside the validity of the design's operating point
+inline constexpr std::uint32_t off_design = 1u << 3;  ///< outside the design's operating point or sample time
 inline constexpr std::uint32_t shifted = 1u << 4;     ///< a health shift event is raised
 }  // namespace estimate_flag
 
@@ -26,7 +26,7 @@ inline constexpr std::uint32_t rate = 1u << 3;
 inline constexpr std::uint32_t stuck = 1u << 4;
 inline constexpr std::uint32_t innovation_gate = 1u << 5;
 inline constexpr std::uint32_t excluded = 1u << 6;  ///< declared faulty, requalifying
-inline constexpr std::uint32_t withheld = 1u << 7;  ///< no filter ran: off design, or too few sensors
+inline constexpr std::uint32_t withheld = 1u << 7;  ///< no estimate was made: off design, or too few sensors
 }  // namespace reject_reason
 
 enum class DescriptionRole : std::uint32_t { source = 1, monitor = 2 };
@@ -47,7 +47,9 @@ enum class EventKind : std::uint32_t {
   input_lost = 5,       ///< value: age in seconds
   filter_restart = 6,   ///< value: seconds of the jump in time or sequence that caused it
   operating_point = 7,  ///< value: distance from the design's point, threshold: 1
-  no_design = 8         ///< no design for the sensors that are left
+  no_design = 8,        ///< no design for the sensors that are left
+  sample_time = 9,      ///< value: the source's mean sample time in s, threshold: the design's
+  second_source = 10    ///< value: source_id that is not listened to, threshold: the one that is
 };
 
 enum class SimCommandKind : std::uint32_t {

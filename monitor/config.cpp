@@ -43,6 +43,8 @@ void declare_tables(Schema& schema, MonitorConfig& m) {
                     TableReader t(file, "engine", *element.as_table());
                     m.engines.push_back({t.integers("ids", 1, max_id), t.text("design")});
                     t.finish();
+                    if (m.engines.back().ids.empty())
+                      throw ConfigError(config::where(file, element) + ": 'engine.ids' is empty, allowed is at least one id");
                   }
                 });
   schema.tables("limit", "an event when an estimate leaves its range: quantity (a health or auxiliary channel), min, max, hysteresis, in the channel's unit",
@@ -56,6 +58,14 @@ void declare_tables(Schema& schema, MonitorConfig& m) {
                     if (!(limit.min < limit.max) || (limit.min == -infinity && limit.max == infinity))
                       throw ConfigError(config::where(file, element) + ": 'limit' for '" + limit.quantity +
                                         "' needs min, max or both, with min below max");
+                    if (!(2.0 * limit.hysteresis < limit.max - limit.min))
+                      throw ConfigError(config::where(file, element) + ": 'limit.hysteresis' for '" + limit.quantity +
+                                        "' is " + config::number_text(limit.hysteresis) +
+                                        ", allowed is less than half of max - min, or it could never clear");
+                    for (const auto& other : m.cycle.limits)
+                      if (other.quantity == limit.quantity)
+                        throw ConfigError(config::where(file, element) + ": 'limit.quantity' names '" + limit.quantity +
+                                          "' twice; one limit with min and max is allowed");
                     m.cycle.limits.push_back(limit);
                   }
                 });

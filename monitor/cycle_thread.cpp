@@ -12,6 +12,9 @@ using wire::StatusLevel;
 
 namespace {
 constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
+// Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing; a
+// source that says nothing at all for so long is lost all the same.
+constexpr double source_silence_s = 2.0;
 }
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
@@ -41,7 +44,7 @@ void CycleThread::run_once() {
 }
 
 void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
-  EngineSlot* slot = engines_.find(sensors.engine_id());
+  EngineSlot* slot = engines_.find(sensors.engine_id(), sensors.schema() == wire::schema_version);
   if (!slot) {
     // Said once a thousand: a stray source must not fill the log.
     if (unknown_engine_samples_++ % 1000 == 0)
@@ -52,8 +55,7 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
     reports_.push({Report::Kind::new_engine, slot->engine_id, &slot->cycle.design(), {}, 0, 0, {}});
   slot->received_ns = monotonic_ns();
   convert(sensors, slot->sample);
-  const CycleResult& result = slot->cycle.process(slot->sample);
-  publish(*slot, result, arrival_ns);
+  if (slot->cycle.process(slot->sample)) publish(*slot, slot->cycle.result(), arrival_ns);
   report_events(*slot);
 }
 
@@ -68,10 +70,8 @@ void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int6
     slot.latency.record(latency_us);
     slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
   }
-  if (result.residuals) {
-    convert(result, stamp, residuals_sample_);
-    residuals_.write(residuals_sample_);
-  }
+  convert(result, stamp, residuals_sample_);
+  residuals_.write(residuals_sample_);
 }
 
 void CycleThread::obey(const MonitorCommand& command) {
@@ -88,8 +88,9 @@ void CycleThread::watch_input() {
   const std::int64_t now_ns = monotonic_ns();
   engines_.for_each([&](EngineSlot& slot) {
     const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
-    if (!source_clock_) {
-      slot.cycle.no_input(1e-9 * static_cast<double>(now_ns - last_ns));
+    const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
+    if (!source_clock_ || age_s > source_silence_s) {
+      slot.cycle.no_input(age_s);
       report_events(slot);
     }
     const StatusLevel level = level_of(slot);
@@ -108,10 +109,11 @@ void CycleThread::report_events(EngineSlot& slot) {
 StatusLevel CycleThread::level_of(const EngineSlot& slot) const {
   namespace flag = wire::estimate_flag;
   if (slot.cycle.stale() || slot.received_ns == 0) return StatusLevel::stale;
-  const CycleResult& result = slot.cycle.last_result();
+  const CycleResult& result = slot.cycle.result();
   if (!result.estimates) return StatusLevel::error;
   const CycleCounters &now = slot.cycle.counters(), &before = slot.status_counters;
-  const bool troubled = now.lost != before.lost || now.malformed != before.malformed || now.reordered != before.reordered;
+  const bool troubled = now.lost != before.lost || now.malformed != before.malformed ||
+                        now.reordered != before.reordered || now.foreign != before.foreign;
   const bool restricted = (result.flags & (flag::degraded | flag::shifted)) != 0;
   return troubled || restricted ? StatusLevel::warn : StatusLevel::ok;
 }
@@ -132,6 +134,7 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   s.samples_lost(c.lost);
   s.samples_duplicated(c.duplicated);
   s.samples_reordered(c.reordered);
+  s.samples_foreign(c.foreign);
   s.samples_malformed(c.malformed);
   s.samples_withheld(c.withheld);
   s.sensor_rejections(c.sensor_rejections);
@@ -144,9 +147,10 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   s.latency_p50_us(slot.latency.percentile_us(0.50));
   s.latency_p99_us(slot.latency.percentile_us(0.99));
   s.latency_max_us(slot.latency.max_us());
-  s.sensors_used(static_cast<std::uint32_t>(slot.cycle.last_result().sensors_used.to_ulong()));
-  s.flags(slot.cycle.last_result().flags);
-  if (!reports_.push(report)) return;  // tried again at the next turn
+  s.sensors_used(static_cast<std::uint32_t>(slot.cycle.result().sensors_used.to_ulong()));
+  s.flags(slot.cycle.result().flags);
+  if (!reports_.has_room()) return;  // tried again at the next turn
+  reports_.push(report);
   slot.status_ns = now_ns;
   slot.status_received = c.received;
   slot.status_level = static_cast<std::uint32_t>(level);

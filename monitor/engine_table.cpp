@@ -24,11 +24,12 @@ EngineTable::EngineTable(const MonitorConfig& config) {
     slots_.push_back(std::make_unique<EngineSlot>(load(config.design), config.cycle));
 }
 
-EngineSlot* EngineTable::find(std::uint32_t engine_id) noexcept {
+EngineSlot* EngineTable::find(std::uint32_t engine_id, bool may_join) noexcept {
   if (engine_id == 0) return nullptr;  // reserved, see MonitorCommand
   for (auto& slot : slots_) {
     if (slot->engine_id == engine_id) return slot.get();
     if (slot->engine_id == 0) {
+      if (!may_join) return nullptr;
       slot->engine_id = engine_id;
       return slot.get();
     }

@@ -38,6 +38,7 @@ MonitorCycle::MonitorCycle(std::shared_ptr<const design::Design> design, const C
       filter_(design::make_filter(*design_)),
       error_(error_models_.front()),
       sample_check_(options.checks, sensors_, actuators_, design_->model.sample_time_s),
+      sample_time_(design_->model.sample_time_s),
       sensor_check_(options.checks, design_->model),
       qualification_(static_cast<std::size_t>(sensors_)),
       validity_(options.validity, design_->model),
@@ -52,17 +53,17 @@ MonitorCycle::MonitorCycle(std::shared_ptr<const design::Design> design, const C
   no_residuals();
 }
 
-const CycleResult& MonitorCycle::process(const Sample& sample) noexcept {
+bool MonitorCycle::process(const Sample& sample) noexcept {
   ++counters_.received;
-  result_.residuals = result_.estimates = false;
   SampleDecision decision;
-  if (!admit(sample, decision)) return result_;
+  if (!admit(sample, decision)) return false;
   check_sensors(sample, decision.steps);
   const bool was_valid = valid_;
-  valid_ = validity_.judge(sample, events_);
+  const bool in_time = sample_time_.judge(decision, events_);
+  valid_ = validity_.judge(sample, events_) && in_time;
   if (!valid_) {
     withhold();
-    return result_;
+    return true;
   }
   if (!was_valid) restart_filter();
   predict(decision.steps);
@@ -71,7 +72,7 @@ const CycleResult& MonitorCycle::process(const Sample& sample) noexcept {
   update();
   choose_design();
   judge();
-  return result_;
+  return true;
 }
 
 bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcept {
@@ -81,6 +82,11 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
     case SampleVerdict::malformed: ++counters_.malformed; return false;
     case SampleVerdict::duplicate: ++counters_.duplicated; return false;
     case SampleVerdict::reordered: ++counters_.reordered; return false;
+    case SampleVerdict::foreign:
+      ++counters_.foreign;
+      second_source_.set(true, {wire::EventKind::second_source, 0, true, static_cast<double>(sample.source_id),
+                                static_cast<double>(sample_check_.source_id()), 0}, events_);
+      return false;
     case SampleVerdict::restarted: restart(decision.jump_s); break;
     case SampleVerdict::first:
     case SampleVerdict::accepted: break;
@@ -134,7 +140,7 @@ void MonitorCycle::no_residuals() noexcept {
 void MonitorCycle::withhold() noexcept {
   ++counters_.withheld;
   no_residuals();
-  result_.residuals = true;
+  result_.estimates = false;
   result_.fused.reset();
   result_.rejected.reset();
   for (int i = 0; i < sensors_; ++i) {
@@ -164,7 +170,7 @@ void MonitorCycle::gate() noexcept {
   const int missing = filter_.sensor_set().missing();
   if (have_design_ && missing >= 0) {
     return_gate_.step(design_->model.sample_time_s);
-    if (shift_.raised()) return_gate_.health_shifted();
+    if (shift_.raised()) return_gate_.forget();
     result_.ratio(missing) = return_gate_.ratio(filter_.innovation()(missing), options_.checks.gate_sigma);
   }
   for (int i = 0; i < sensors_; ++i) {
@@ -219,10 +225,12 @@ void MonitorCycle::choose_design() noexcept {
 void MonitorCycle::exclude(int sensor) noexcept {
   const double with_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
   const double narrow = filter_.innovation_variance()(sensor);
+  const bool knew_it = error_.settled();
   filter_.switch_sensor_set(SensorSet::without(sensor));
   error_.switch_to(error_models_[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
   const double without_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
   return_gate_.start(with_it - without_it, narrow, filter_.innovation_variance()(sensor));
+  if (!knew_it) return_gate_.forget();
 }
 
 void MonitorCycle::readmit() noexcept {
@@ -232,7 +240,6 @@ void MonitorCycle::readmit() noexcept {
 
 void MonitorCycle::judge() noexcept {
   result_.sensors_used = filter_.sensors();
-  result_.residuals = true;
   result_.estimates = have_design_;
   if (have_design_) {
     ++counters_.processed;
@@ -241,6 +248,7 @@ void MonitorCycle::judge() noexcept {
   } else {
     ++counters_.withheld;
     shift_.reset();
+    for (int i = 0; i < sensors_; ++i) result_.reason[static_cast<std::size_t>(i)] |= reason::withheld;
   }
   result_.flags = estimate_flags();
 }
@@ -258,8 +266,11 @@ std::uint32_t MonitorCycle::estimate_flags() const noexcept {
 
 void MonitorCycle::no_input(double age_s) noexcept {
   const double limit_s = options_.stale_periods * design_->model.sample_time_s;
-  if (age_s > limit_s)
-    input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, 0}, events_);
+  if (age_s <= limit_s) return;
+  input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, 0}, events_);
+  // The source is gone: whoever sends next may take its place.
+  sample_check_.release_source();
+  second_source_.set(false, {wire::EventKind::second_source, 0, false, 0.0, 0.0, 0}, events_);
 }
 
 }  // namespace ehm::monitor

@@ -13,6 +13,7 @@
 #include "monitor/checks/qualification.h"
 #include "monitor/checks/return_gate.h"
 #include "monitor/checks/sample_check.h"
+#include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/sensor_check.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/error_propagation.h"
@@ -32,15 +33,15 @@ struct CycleCounters {
   std::uint64_t processed = 0;   ///< led to estimates
   std::uint64_t lost = 0;        ///< gaps of the sequence
   std::uint64_t duplicated = 0, reordered = 0, malformed = 0;
+  std::uint64_t foreign = 0;     ///< from a second source of the same engine
   std::uint64_t withheld = 0;    ///< accepted, but no honest estimate: off design, or no design for the sensors left
   std::uint64_t sensor_rejections = 0;
   std::uint64_t restarts = 0;
 };
 
-/// Result of one sample. Estimates in channel units.
+/// Result of one sample that was in order. Estimates are the filter's, in channel units.
 struct CycleResult {
-  bool residuals = false;  ///< the sample was in order: residuals hold
-  bool estimates = false;  ///< estimates hold
+  bool estimates = false;  ///< estimates hold; where not, the reasons say why
   std::uint32_t flags = 0; ///< wire::estimate_flag
   estimation::SensorMask sensors_used, rejected, fused;
   std::array<std::uint32_t, estimation::max_sensors> reason{};  ///< wire::reject_reason bits by sensor
@@ -54,8 +55,9 @@ class MonitorCycle {
   /// @throws std::invalid_argument if an option does not fit the design (names it).
   MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options);
 
-  /// The whole path for one sample. Real-time safe: yes.
-  const CycleResult& process(const Sample& sample) noexcept;
+  /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last result
+  /// stands. Real-time safe: yes.
+  bool process(const Sample& sample) noexcept;
   /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. Real-time safe: yes.
   void no_input(double age_s) noexcept;
   /// Cold start of the filter, by an operator's order. Real-time safe: yes.
@@ -65,7 +67,8 @@ class MonitorCycle {
   const estimation::ErrorPropagation& error() const noexcept { return error_; }
   const design::Design& design() const noexcept { return *design_; }
   const CycleCounters& counters() const noexcept { return counters_; }
-  const CycleResult& last_result() const noexcept { return result_; }
+  /// Of the latest sample that was in order.
+  const CycleResult& result() const noexcept { return result_; }
   bool stale() const noexcept { return input_lost_.raised(); }
   /// Events since the last clear_events.
   const EventList& events() const noexcept { return events_; }
@@ -96,6 +99,7 @@ class MonitorCycle {
   estimation::ErrorPropagation error_;
 
   SampleCheck sample_check_;
+  SampleTimeWatch sample_time_;
   SensorCheck sensor_check_;
   std::vector<Qualification> qualification_;
   ReturnGate return_gate_;
@@ -108,7 +112,7 @@ class MonitorCycle {
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;
-  Condition no_design_, input_lost_;
+  Condition no_design_, input_lost_, second_source_;
   EventList events_;
   CycleCounters counters_;
   CycleResult result_;

@@ -21,6 +21,7 @@ struct Report {
   MonitorStatus status;                    ///< Kind::status
 };
 
-using ReportQueue = SpscQueue<Report, 1024>;
+/// Room for several reports of each of a thousand engines between two turns of the reporter.
+using ReportQueue = SpscQueue<Report, 8192>;
 
 }  // namespace ehm::monitor

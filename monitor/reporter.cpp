@@ -85,7 +85,7 @@ void Reporter::report_event(const Report& report) {
 
 void Reporter::report_overflow() {
   if (const std::uint64_t overflow = queue_.overflow(); overflow != overflow_said_) {
-    spdlog::error("{} reports did not fit the queue and are lost (events or status); the reporter thread is starved",
+    spdlog::error("{} events did not fit the queue and are lost; the reporter thread is starved",
                   overflow);
     overflow_said_ = overflow;
   }

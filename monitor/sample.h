@@ -11,6 +11,7 @@ namespace ehm::monitor {
 
 struct Sample {
   std::uint32_t schema = 0;
+  std::uint32_t source_id = 0;
   std::uint64_t sequence = 0;
   std::int64_t source_time_ns = 0;
   estimation::OperatingPoint flight;

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <ostream>
@@ -18,7 +19,7 @@ namespace ehm::bench {
 namespace {
 
 constexpr const char* footer =
-    "Exit codes: 0 done; 1 the data are wrong or a computation failed, the reason is on stderr; 2 wrong usage.\n"
+    "Exit codes: 0 done, 1 a computation failed, 2 wrong command line or input file; the reason is on stderr.\n"
     "Chain: linearise (or your own matrices) -> design -> the file that monitor loads.";
 
 using Action = std::function<void(std::ostream&)>;
@@ -31,6 +32,9 @@ struct DesignArguments {
 
 void design_to_file(const DesignArguments& arguments, std::ostream& out) {
   const estimation::LinearModel model = design::read_model(arguments.model);
+  std::error_code absent;
+  if (std::filesystem::equivalent(arguments.model, arguments.out, absent))
+    throw design::FileError(arguments.out + ": --out is the model itself; name another file for the design");
   design::Design design;
   try {
     design = design_tuner(model, arguments.options);
@@ -60,8 +64,8 @@ void add_design_command(CLI::App& app, Action& run) {
       ->capture_default_str()
       ->check([](const std::string& text) -> std::string {
         double value = 0.0;
-        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0;
-        return good ? "" : "'" + text + "' is not a number above 0";
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= 1e-12 && value <= 100.0;
+        return good ? "" : "'" + text + "' is not a number from 1e-12 to 100 percent^2 per sample";
       });
   command->add_flag("--json", arguments->json, "Print one JSON object instead of tables");
   command->callback([arguments, &run] { run = [arguments](std::ostream& out) { design_to_file(*arguments, out); }; });
@@ -105,6 +109,12 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   add_linearise_command(app, run);
   add_design_command(app, run);
   add_check_command(app, run);
+  const std::string command = argc > 1 ? argv[1] : "";
+  const auto known = app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == command; });
+  if (!command.empty() && command.front() != '-' && known.empty()) {
+    err << "tuner_design: unknown command '" << command << "'; allowed are linearise, design, check\n";
+    return 2;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -113,6 +123,9 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   try {
     run(out);
     return 0;
+  } catch (const design::FileError& error) {
+    err << "tuner_design: " << error.what() << '\n';
+    return 2;
   } catch (const std::exception& error) {
     err << "tuner_design: " << error.what() << '\n';
     return 1;

@@ -72,8 +72,12 @@ class Ears {
   eprosima::fastdds::dds::ConditionSeq triggered_;
 };
 
-/// The flight is over when its time has passed, truth no longer advances and the monitor has accounted for the last sample.
+constexpr double overtime_s = 2.0;
+
+/// Over when the time has passed and the monitor has accounted for the last sample of a simulator that ended then; if the
+/// flight goes on, when that is plain.
 bool over(const demo::WatchData& data, const Options& options) {
+  if (options.seconds > 0.0 && data.flight_time_s() > options.seconds + overtime_s) return true;
   return options.seconds > 0.0 && data.flight_time_s() > options.seconds - 0.1 && data.accounted() &&
          data.received() > 0 && data.status()->level() >= static_cast<std::uint32_t>(wire::StatusLevel::stale);
 }
@@ -104,13 +108,16 @@ void watch(Ears& ears, demo::WatchData& data, const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Shows true and estimated health of one engine, live.\n" + std::string(service::exit_code_help)};
-  app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
-  app.add_option("--partition", options.partition, "DDS partition");
-  app.add_option("--engine", options.engine, "engine_id to show")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--seconds", options.seconds, "judge the run after so much flight: 1 is returned when a sample was lost "
-                                               "or an estimate is outside 3 published sigmas; 0 watches until Ctrl-C")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--timeout", options.timeout_s, "seconds beyond that after which it gives up")->capture_default_str();
+  app.add_option("--domain,--dds-domain", options.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
+  app.add_option("--partition,--dds-partition", options.partition, "DDS partition");
+  app.add_option("--engine", options.engine, "engine_id to show")->check(CLI::Range(1u, 4294967295u))->capture_default_str();
+  app.add_option("--seconds", options.seconds, "judge the run after so much flight, at its end: 1 is returned when a "
+                                               "sample was lost or an estimate is outside 3 published sigmas; 0 watches "
+                                               "until Ctrl-C")
+      ->check(CLI::Range(0.0, 1e9));
+  app.add_option("--timeout", options.timeout_s, "seconds beyond that after which it gives up")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
   app.add_flag("--json", options.json, "print nothing but the summary, as one JSON object");
   app.add_option("--csv", options.csv, "write every estimate beside its truth to this file");
   app.set_version_flag("--version", std::string("ehm_watch " EHM_VERSION));

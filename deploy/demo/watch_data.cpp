@@ -1,12 +1,16 @@
 #include "deploy/demo/watch_data.h"
 
 #include <cmath>
+#include <limits>
 
 #include "idl/wire_values.h"
 
 namespace ehm::demo {
 
-double Row::deviation() const { return sigma > 0.0 ? std::abs(estimate - truth) / sigma : 0.0; }
+double Row::deviation() const {
+  const double deviation = std::abs(estimate - truth) / sigma;
+  return sigma > 0.0 && std::isfinite(deviation) ? deviation : std::numeric_limits<double>::infinity();
+}
 
 void WatchData::hear(const EngineTruth& truth) {
   if (!first_time_ns_)

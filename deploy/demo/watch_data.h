@@ -17,7 +17,7 @@ namespace ehm::demo {
 struct Row {
   std::string name, unit;
   double truth = 0.0, estimate = 0.0, sigma = 0.0;
-  /// |estimate - truth| in sigmas.
+  /// |estimate - truth| in sigmas; infinite where that is no number.
   double deviation() const;
 };
 

@@ -22,9 +22,9 @@ void change_health(const SimCommand& c, Simulation& s, bool relative) {
   require("channel", c.channel(), 0, health_count - 1);
   require("value[1] (ramp_s)", c.value()[1], 0, 1e9);
   const double present = s.health()[c.channel()];
-  const double change = relative ? c.value()[0] : c.value()[0] - present;
-  require("health after the command", present + change, -0.30, 0.10);
-  s.change_health({s.time_s(), c.channel(), change, c.value()[1]});
+  const double target = relative ? present + c.value()[0] : c.value()[0];
+  require("health after the command", target, -0.30, 0.10);
+  s.order_health(c.channel(), target, c.value()[1]);
 }
 
 void inject_fault(const SimCommand& c, Simulation& s) {
@@ -47,7 +47,9 @@ void apply(const SimCommand& c, Simulation& s) {
       require("value[0] (altitude_m)", c.value()[0], -500, 15000);
       require("value[1] (mach)", c.value()[1], 0, 0.95);
       require("value[2] (delta_isa_k)", c.value()[2], -60, 60);
-      return s.fly({c.value()[0], c.value()[1], c.value()[2]});
+      if (const FlightCondition flight{c.value()[0], c.value()[1], c.value()[2]}; s.can_fly(flight))
+        return s.fly(flight);
+      throw std::invalid_argument("the engine cannot run there at its present demand; change the demand first, or in steps");
     case SimCommandKind::set_health: return change_health(c, s, false);
     case SimCommandKind::add_health: return change_health(c, s, true);
     case SimCommandKind::sensor_fault: return inject_fault(c, s);

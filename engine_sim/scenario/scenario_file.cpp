@@ -113,7 +113,7 @@ void declare(Schema& schema, SimConfig& c) {
   schema.integer("engine.source_id", s.source_id, 1, 4294967295, "", "who measures: identifies this source on the wire");
   schema.real("run.sample_time_s", s.sample_time_s, 0.001, 1, "s", "time between samples");
   schema.real("run.duration_s", s.duration_s, 0, far_future_s, "s", "simulated time to fly; 0: until stopped");
-  schema.integer("run.seed", s.seed, 0, 9223372036854775807, "", "of the sensor noise; the same seed gives the same readings");
+  schema.integer("run.seed", s.seed, 0, 9007199254740992, "", "of the sensor noise; the same seed gives the same readings");
   schema.text("run.rate", c.rate, "times real time, 0.01 to 1000, or max: as fast as a monitor answers, losing nothing");
   schema.integer("run.lockstep_window", c.lockstep_window, 1, 128, "samples", "how many samples may be unanswered at rate max");
   schema.integer("run.wait_for_monitors", c.wait_for_monitors, 0, 64, "", "start the flight when so many readers of EngineSensors have matched");
@@ -131,6 +131,25 @@ void declare(Schema& schema, SimConfig& c) {
   declare_tables(schema, s);
 }
 
+namespace {
+
+/// Wear and changes of one parameter may add up beyond what a single key allows.
+void check_health_sum(const Scenario& s) {
+  auto changes = s.health_changes;
+  std::stable_sort(changes.begin(), changes.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
+  std::array<double, health_count> health{};
+  for (std::size_t i = 0; i < health_count; ++i) health[i] = s.wear[i].initial;
+  for (const auto& c : changes) {
+    health[c.parameter] += c.change;
+    if (!(health[c.parameter] >= health_min && health[c.parameter] <= health_max))
+      throw ConfigError("'health_change' brings " + std::string(health_names[c.parameter]) + " to " +
+                        config::number_text(health[c.parameter]) + " at " + config::number_text(c.time_s) +
+                        " s, allowed is " + config::number_text(health_min) + " to " + config::number_text(health_max));
+  }
+}
+
+}  // namespace
+
 double SimConfig::rate_factor() const {
   if (rate == "max") return 0.0;
   double factor = 0.0;
@@ -146,6 +165,7 @@ void finish_config(SimConfig& c) {
                            : c.demand_kind == "n1_rpm"       ? DemandKind::n1_rpm
                            : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n
                                                              : DemandKind::fuel_flow_kg_s;
+  check_health_sum(c.scenario);
   const auto& p = c.scenario.profile;
   for (std::size_t i = 1; i < p.size(); ++i)
     if (!(p[i].time_s > p[i - 1].time_s))

@@ -5,7 +5,8 @@
 // it. But at the moment of exclusion the full filter still predicted the sensor well: that offset is kept,
 //   offset = (C xhat)_full,i - (C xhat)_without,i,      nu_return = nu_i - offset,
 // and its variance grows from the full filter's innovation variance to the biased one over an hour, the time in which
-// wear may have moved. A health shift in between makes the offset worthless, and the wide variance holds at once.
+// wear may have moved. A health shift in between makes the offset worthless, and so does a filter that
+// had not converged when the sensor left: the wide variance then holds at once.
 // Real-time safe: yes.
 
 #include <algorithm>
@@ -20,7 +21,8 @@ class ReturnGate {
     wide_ = std::max(wide_variance, narrow_variance);
     age_s_ = 0.0;
   }
-  void health_shifted() noexcept { age_s_ = memory_s; }
+  /// The offset is worthless: only the wide variance is left.
+  void forget() noexcept { age_s_ = memory_s; }
   void step(double dt_s) noexcept { age_s_ = std::min(memory_s, age_s_ + dt_s); }
 
   /// nu_return^2 / (gate^2 variance); above 1 the sensor must wait.

@@ -27,6 +27,9 @@ SampleDecision SampleCheck::restart(const Sample& s, double jump_s) noexcept {
 
 SampleDecision SampleCheck::decide(const Sample& s) noexcept {
   if (malformed(s)) return {SampleVerdict::malformed};
+  if (bound_ && s.source_id != source_id_) return {SampleVerdict::foreign};
+  bound_ = true;
+  source_id_ = s.source_id;
   if (!started_) return restart(s, 0.0);
 
   const double dt_s = 1e-9 * static_cast<double>(s.source_time_ns - last_time_ns_);
@@ -36,7 +39,7 @@ SampleDecision SampleCheck::decide(const Sample& s) noexcept {
     // Later by its clock but lower in number: the source itself started anew. Otherwise it was overtaken on the way.
     return dt_s > 0.0 ? restart(s, dt_s) : SampleDecision{SampleVerdict::reordered};
   }
-  if (dt_s <= 0.0) return {SampleVerdict::reordered};
+  if (dt_s <= 0.0) return restart(s, dt_s);  // the source's clock was set back
   if (dt_s > options_.restart_gap_s) {
     const std::uint64_t lost = s.sequence - last_sequence_ - 1;
     SampleDecision decision = restart(s, dt_s);
@@ -47,7 +50,7 @@ SampleDecision SampleCheck::decide(const Sample& s) noexcept {
   const auto bound = static_cast<std::uint64_t>(options_.restart_gap_s / sample_time_s_) + 1;
   last_sequence_ = s.sequence;
   last_time_ns_ = s.source_time_ns;
-  return {SampleVerdict::accepted, static_cast<int>(std::min(ahead, bound)), ahead - 1, 0.0};
+  return {SampleVerdict::accepted, static_cast<int>(std::min(ahead, bound)), ahead - 1, 0.0, dt_s};
 }
 
 }  // namespace ehm::monitor

@@ -4,8 +4,11 @@
 //
 //   accepted       next in order, `steps` sample times after the last one (1: none lost)
 //   first          the filter starts here
-//   restarted      the source started anew, or time jumped by more than restart_gap_s: the filter restarts here
-//   duplicate, reordered, malformed: dropped and counted
+//   restarted      the source started anew, time stepped back, or jumped ahead by more than restart_gap_s: the filter
+//                  restarts here
+//   duplicate, reordered (overtaken on the way), malformed: dropped and counted
+//   foreign        from another source than the one that this engine follows: dropped and counted. The source is the first
+//                  that spoke; another may take over once it has been silent (release_source).
 //
 // Real-time safe: yes.
 
@@ -16,13 +19,14 @@
 
 namespace ehm::monitor {
 
-enum class SampleVerdict { first, accepted, restarted, duplicate, reordered, malformed };
+enum class SampleVerdict { first, accepted, restarted, duplicate, reordered, malformed, foreign };
 
 struct SampleDecision {
   SampleVerdict verdict = SampleVerdict::malformed;
   int steps = 1;            ///< filter predictions to make; more than 1 after a loss
   std::uint64_t lost = 0;   ///< samples missing before this one
   double jump_s = 0.0;      ///< why restarted
+  double dt_s = 0.0;        ///< source time since the last accepted sample; 0 after a start
 };
 
 class SampleCheck {
@@ -32,6 +36,8 @@ class SampleCheck {
 
   SampleDecision decide(const Sample& sample) noexcept;
   void reset() noexcept { started_ = false; }
+  void release_source() noexcept { bound_ = false; }
+  std::uint32_t source_id() const noexcept { return source_id_; }
 
  private:
   bool malformed(const Sample& sample) const noexcept;
@@ -40,7 +46,8 @@ class SampleCheck {
   CheckOptions options_;
   int sensors_, actuators_;
   double sample_time_s_;
-  bool started_ = false;
+  bool started_ = false, bound_ = false;
+  std::uint32_t source_id_ = 0;
   std::uint64_t last_sequence_ = 0;
   std::int64_t last_time_ns_ = 0;
 };

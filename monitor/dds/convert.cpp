@@ -42,6 +42,7 @@ ChannelDescription channel(const estimation::Channel& from, double sigma) {
 
 void convert(const EngineSensors& wire, Sample& sample) noexcept {
   sample.schema = wire.schema();
+  sample.source_id = wire.source_id();
   sample.sequence = wire.sequence_number();
   sample.source_time_ns = wire.source_time_ns();
   sample.flight = {wire.altitude_m(), wire.mach(), wire.delta_isa_k()};

@@ -41,7 +41,7 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
   const auto* c = channel_of(e, model);
   switch (e.kind) {
     case wire::EventKind::sensor_fault:
-      return e.raised ? fmt::format("sensor {} is faulty ({}): the design without it flies", c->name, reasons(e.detail))
+      return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, reasons(e.detail))
                       : fmt::format("sensor {} is good again and used", c->name);
     case wire::EventKind::health_shift:
       return e.raised ? fmt::format("{} changed by {:+.4f} {} (noticeable from {:.4f})", c->name, e.value, c->unit, e.threshold)
@@ -60,6 +60,12 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
     case wire::EventKind::no_design:
       return e.raised ? fmt::format("{:.0f} sensors are faulty and no design flies without them: estimates are withheld", e.value)
                       : "enough sensors are good again";
+    case wire::EventKind::sample_time:
+      return e.raised ? fmt::format("samples come every {:.4g} s, the design is made for {:.4g} s: estimates are withheld", e.value, e.threshold)
+                      : "samples come in the design's time again, the filter starts anew";
+    case wire::EventKind::second_source:
+      return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value, e.threshold)
+                      : "the source has fallen silent, another may take over";
   }
   return "unknown event";
 }

@@ -129,6 +129,17 @@ void check_stability(const LinearModel& model, const std::string& file) {
   }
 }
 
+/// More than the whole of nominal is a wrong unit.
+void check_health_sigma(const LinearModel& model, const std::string& file) {
+  for (std::size_t i = 0; i < model.health.size(); ++i) {
+    const bool fraction = model.health[i].unit == "fraction" || model.health[i].unit == "-";
+    const double most = fraction ? 1.0 : 100.0, sigma = model.health_sigma(static_cast<Eigen::Index>(i));
+    if (sigma <= most) continue;
+    throw_defect(file, "health[" + std::to_string(i) + "].sigma", shown(sigma), "at most " + shown(most),
+                 "Check its unit, " + model.health[i].unit);
+  }
+}
+
 }  // namespace
 
 void check_model(const LinearModel& model, const std::string& file) {
@@ -145,6 +156,10 @@ void check_model(const LinearModel& model, const std::string& file) {
   check_matrices(model, file);
   check_length(model.engine_type, estimation::max_name_length, "engine_type", file);
   check_positive(model.health_sigma, "health", "sigma", "Give the standard deviation over the fleet", file);
+  check_health_sigma(model, file);
+  if (!(model.sample_time_s >= 1e-4 && model.sample_time_s <= 10.0)) {
+    throw_defect(file, "sample_time_s", shown(model.sample_time_s), "1e-4 to 10 s", "Give the sample time in seconds");
+  }
   check_positive(model.sensor_noise_sigma, "sensors", "noise_sigma",
                  "Give the standard deviation of one sample's noise", file);
   check_covariance(model.process_noise, "process_noise", "Give the covariance of w per sample", file);

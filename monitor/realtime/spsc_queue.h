@@ -31,6 +31,10 @@ class SpscQueue {
     head_.store(head + 1, std::memory_order_release);
     return true;
   }
+  /// For the producer: would a push succeed?
+  bool has_room() const noexcept {
+    return tail_.load(std::memory_order_relaxed) - head_.load(std::memory_order_acquire) < Capacity;
+  }
   /// Values refused so far, because the consumer was too slow.
   std::uint64_t overflow() const noexcept { return overflow_.load(std::memory_order_relaxed); }
 

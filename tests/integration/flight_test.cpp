@@ -80,6 +80,24 @@ TEST_F(FlightTest, RateMaxLosesNothing) {
   EXPECT_EQ(listener_.status.back().samples_processed(), sent);
 }
 
+TEST_F(FlightTest, RateMaxWaitsForAMonitorByItselfAndSurvivesItsDeath) {
+  const auto simulator = std::make_unique<Process>(std::vector<std::string>{
+      simulator_program(), "--dds-domain", std::to_string(domain_), "--run-rate", "max", "--run-duration-s", "600"});
+  auto monitor = start_monitor({"--monitor-clock", "source"});
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 500; }));
+  monitor->signal(SIGKILL);
+  EXPECT_EQ(monitor->wait(seconds(5)), 128 + SIGKILL);
+  const std::size_t estimates = listener_.health.size();
+  monitor = start_monitor({"--monitor-clock", "source"});
+  EXPECT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 500; }, seconds(30)));
+}
+
+TEST_F(FlightTest, ASilentSourceIsLostUnderSourceTimeToo) {
+  const auto monitor = start_monitor({"--monitor-clock", "source"});
+  const auto simulator = start_simulator({"--run-duration-s", "2"});
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::input_lost, true); }));
+}
+
 TEST_F(FlightTest, AKilledSimulatorComesBack) {
   const auto monitor = start_monitor();
   auto simulator = start_simulator();

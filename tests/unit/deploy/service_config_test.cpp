@@ -95,6 +95,9 @@ TEST(ScenarioFile, NamesEveryMistake) {
             "'run.rate' is 'fast', allowed is a number from 0.01 to 1000, or max");
   EXPECT_EQ(scenario_error("[[profile]]\ntime_s = 5\nn1_rpm = 3000\n[[profile]]\ntime_s = 5\nn1_rpm = 3100\n"),
             "'profile.time_s' is 5 after 5, allowed are rising times");
+  EXPECT_EQ(scenario_error("[[health_change]]\ntime_s = 1\nparameter = \"fan_flow\"\nchange = -0.2\n"
+                           "[[health_change]]\ntime_s = 2\nparameter = \"fan_flow\"\nchange = -0.2\n"),
+            "'health_change' brings fan_flow to -0.4 at 2 s, allowed is -0.3 to 0.1");
   EXPECT_EQ(scenario_error("wear = 3\n"), "1: 'wear' must be tables, written [[wear]]");
 }
 
@@ -120,6 +123,12 @@ TEST(MonitorConfig, NamesEveryMistake) {
             "'engine.ids' names engine 1 twice; one design per engine is allowed");
   EXPECT_EQ(monitor_error("[[limit]]\nquantity = \"T40\"\n"),
             "1: 'limit' for 'T40' needs min, max or both, with min below max");
+  EXPECT_EQ(monitor_error("[[limit]]\nquantity = \"T40\"\nmin = 0\nmax = 1\nhysteresis = 10\n"),
+            "1: 'limit.hysteresis' for 'T40' is 10, allowed is less than half of max - min, or it could never clear");
+  EXPECT_EQ(monitor_error("[[limit]]\nquantity = \"T40\"\nmax = 1\n[[limit]]\nquantity = \"T40\"\nmax = 2\n"),
+            "4: 'limit.quantity' names 'T40' twice; one limit with min and max is allowed");
+  EXPECT_EQ(monitor_error("[[engine]]\nids = []\ndesign = \"a\"\n"),
+            "1: 'engine.ids' is empty, allowed is at least one id");
   EXPECT_EQ(monitor_error("[monitor]\nmax_engines = 0\n"),
             "2: 'monitor.max_engines' is 0, allowed is a whole number from 1 to 1000 engines");
   EXPECT_EQ(monitor_error("[dds]\ndomain = 233\n"), "2: 'dds.domain' is 233, allowed is a whole number from 0 to 232");

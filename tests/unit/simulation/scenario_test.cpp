@@ -20,6 +20,17 @@ TEST(Deterioration, AddsWearDriftStepsAndRamps) {
   EXPECT_DOUBLE_EQ(d.at(100.0)[fan_flow], 0.0);
 }
 
+TEST(Deterioration, AnOrderReachesItsTargetWhateverWasOnItsWay) {
+  Scenario s;
+  s.health_changes = {{0.0, hpc_flow, -0.02, 10.0}, {30.0, hpc_flow, -0.01, 0.0}};
+  Deterioration d(s);
+  d.order(hpc_flow, -0.03, 4.0, 5.0);  // halfway down the first ramp, at -0.01
+  EXPECT_DOUBLE_EQ(d.at(5.0)[hpc_flow], -0.01);
+  EXPECT_DOUBLE_EQ(d.at(7.0)[hpc_flow], -0.02);
+  EXPECT_DOUBLE_EQ(d.at(20.0)[hpc_flow], -0.03);
+  EXPECT_DOUBLE_EQ(d.at(31.0)[hpc_flow], -0.04);
+}
+
 TEST(FlightProfile, InterpolatesAndHolds) {
   FlightProfile p({}, {{10.0, {1000.0, 0.4, 0.0}, 3000.0}, {20.0, {2000.0, 0.5, 10.0}, 3500.0}});
   EXPECT_DOUBLE_EQ(p.at(0.0).n1_rpm, 3000.0);

@@ -64,6 +64,18 @@ TEST(Simulation, NoiseHasTheStatedSigma) {
   EXPECT_NEAR(std::sqrt(square / n), sigma, 4.0 * sigma / std::sqrt(2.0 * n));
 }
 
+TEST(Simulation, SaysWhatItCannotFly) {
+  Scenario s = quiet();
+  s.demand.value = 2355.4;  // degR taken for K
+  try {
+    Simulation simulation(s);
+    FAIL();
+  } catch (const FlightError& e) {
+    EXPECT_EQ(std::string(e.what()).find("at 10668 m, Mach 0.8, ISA +0 K the engine cannot run with t40_k = 2355.4"), 0u)
+        << e.what();
+  }
+}
+
 TEST(SimCommand, ChangesDemandHealthAndSensors) {
   Simulation simulation(quiet());
   const SimSample before = simulation.next();

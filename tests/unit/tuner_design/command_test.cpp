@@ -77,9 +77,9 @@ TEST(Command, CheckOfAModelSaysWhatItIs) {
   EXPECT_EQ(json.at("hash").get<std::string>().size(), 64U);
 }
 
-TEST(Command, WrongDataExitWithOneAndName) {
+TEST(Command, WrongFilesExitWithTwoAndName) {
   const Result absent = run({"check", "/nonexistent/model.json"});
-  EXPECT_EQ(absent.code, 1);
+  EXPECT_EQ(absent.code, 2);
   EXPECT_EQ(absent.err,
             "tuner_design: /nonexistent/model.json: cannot be opened. Check the path and the permissions.\n");
 
@@ -90,19 +90,21 @@ TEST(Command, WrongDataExitWithOneAndName) {
   for (const auto& arguments : {std::vector<std::string>{"check", path},
                                 {"design", "--model", path, "--out", test::temporary_path("blind_design.json")}}) {
     const Result result = run(arguments);
-    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.code, 2);
     EXPECT_THAT(result.err, StartsWith("tuner_design: " + path + ": H Ph H^T is singular: sensors {y2, y3}"));
   }
   EXPECT_FALSE(std::filesystem::exists(test::temporary_path("blind_design.json")));
 
   const Result folder = run({"design", "--model", model_on_disk(), "--out", "/nonexistent/design.json"});
-  EXPECT_EQ(folder.code, 1);
+  EXPECT_EQ(folder.code, 2);
   EXPECT_THAT(folder.err, HasSubstr("/nonexistent/design.json: cannot be written: No such file or directory"));
 }
 
 TEST(Command, WrongUsageExitsWithTwo) {
   EXPECT_EQ(run({}).code, 2);
   EXPECT_EQ(run({"fly"}).code, 2);
+  EXPECT_EQ(run({"desing"}).err, "tuner_design: unknown command 'desing'; allowed are linearise, design, check\n");
+  EXPECT_EQ(run({"design", "--model", "m", "--out", "d", "--qh", "1e6"}).code, 2);
   EXPECT_EQ(run({"design"}).code, 2);
   for (const char* qh : {"-1", "0", "nan", "inf", "fast"}) {
     const Result result = run({"design", "--model", model_on_disk(), "--out", "d.json", "--qh", qh});

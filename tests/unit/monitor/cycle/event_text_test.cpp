@@ -21,7 +21,7 @@ std::string text(const Event& event) { return monitor::event_text(event, model()
 TEST(EventText, SaysWhatHappenedToWhichChannel) {
   namespace reason = wire::reject_reason;
   EXPECT_EQ(text({EventKind::sensor_fault, 0, true, 1.4, 1.0, reason::stuck | reason::innovation_gate}),
-            "sensor T30 is faulty (stuck, outside the innovation gate): the design without it flies");
+            "sensor T30 is faulty (stuck, outside the innovation gate) and no longer used");
   EXPECT_EQ(text({EventKind::sensor_fault, 0, false, 0.0, 0.0, 0}), "sensor T30 is good again and used");
   EXPECT_EQ(text({EventKind::health_shift, 0, true, -0.0174, 0.0121, 0}),
             "hpc_efficiency changed by -0.0174 fraction (noticeable from 0.0121)");

@@ -35,7 +35,7 @@ class MonitorCycleTest : public testing::Test {
       for (const Event& e : cycle_.events()) events_.push_back(e);
       cycle_.clear_events();
     }
-    return cycle_.last_result();
+    return cycle_.result();
   }
   const CycleResult& fly(int samples) {
     return fly(samples, [](Sample&) {});
@@ -103,9 +103,9 @@ TEST_F(MonitorCycleTest, AMissingSensorsDesignTakesOverAndGoesAgain) {
     EXPECT_LE(cycle_.error().health_sigma()(i), 1.001 * design_->model.health_sigma(i)) << i;
   }
   fly(199);
-  EXPECT_FALSE(cycle_.last_result().sensors_used[sensor]);
+  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
   fly(2);
-  EXPECT_TRUE(cycle_.last_result().sensors_used[sensor]);
+  EXPECT_TRUE(cycle_.result().sensors_used[sensor]);
   EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 1);
   fly(settle);
   expect_within_sigmas(3.0);
@@ -116,8 +116,8 @@ TEST_F(MonitorCycleTest, ABiasedSensorIsExcludedAndStaysOut) {
   fly(3000, [&](Sample& s) { s.sensor[sensor] += 12.0 * noise(sensor); });
   EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 1);
   EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 0);
-  EXPECT_FALSE(cycle_.last_result().sensors_used[sensor]);
-  EXPECT_TRUE(cycle_.last_result().reason[sensor] & reason::innovation_gate);
+  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_TRUE(cycle_.result().reason[sensor] & reason::innovation_gate);
   expect_within_sigmas(3.0);
 }
 
@@ -136,12 +136,11 @@ TEST_F(MonitorCycleTest, WithTwoSensorsGoneEstimatesAreWithheldAndComeBack) {
   fly(settle);
   const auto& result = fly(50, [](Sample& s) { s.sensor_valid &= ~0b110u; });
   EXPECT_FALSE(result.estimates);
-  EXPECT_TRUE(result.residuals);
   EXPECT_EQ(count(wire::EventKind::no_design, true), 1);
   EXPECT_GT(cycle_.counters().withheld, 40u);
   fly(250);
-  EXPECT_TRUE(cycle_.last_result().estimates);
-  EXPECT_TRUE(cycle_.last_result().flags & flag::converging);  // from a cold start, and it says so
+  EXPECT_TRUE(cycle_.result().estimates);
+  EXPECT_TRUE(cycle_.result().flags & flag::converging);  // from a cold start, and it says so
   EXPECT_EQ(count(wire::EventKind::no_design, false), 1);
   fly(settle);
   expect_within_sigmas(3.0);
@@ -156,7 +155,7 @@ TEST_F(MonitorCycleTest, OffDesignEstimatesAreWithheld) {
   EXPECT_EQ(result.reason[0] & reason::withheld, reason::withheld);
   EXPECT_EQ(count(wire::EventKind::operating_point, true), 1);
   fly(1);
-  EXPECT_TRUE(cycle_.last_result().estimates);
+  EXPECT_TRUE(cycle_.result().estimates);
   EXPECT_EQ(count(wire::EventKind::operating_point, false), 1);
 }
 
@@ -179,7 +178,8 @@ TEST_F(MonitorCycleTest, MalformedDuplicateAndReorderedSamplesChangeNothing) {
   cycle_.process(first);
   Sample malformed = flight_->next();
   malformed.sensor_count = 3;
-  EXPECT_FALSE(cycle_.process(malformed).residuals);
+  EXPECT_FALSE(cycle_.process(malformed));
+  EXPECT_TRUE(cycle_.result().estimates);  // the last good sample still stands
   EXPECT_EQ(cycle_.counters().duplicated, 1u);
   EXPECT_EQ(cycle_.counters().reordered, 1u);
   EXPECT_EQ(cycle_.counters().malformed, 1u);
@@ -195,7 +195,40 @@ TEST_F(MonitorCycleTest, ARestartedSourceRestartsTheFilterAndSaysSo) {
   EXPECT_EQ(cycle_.counters().restarts, 1u);
   ASSERT_EQ(cycle_.events().size(), 1u);
   EXPECT_EQ(cycle_.events().begin()->kind, wire::EventKind::filter_restart);
-  EXPECT_TRUE(cycle_.last_result().flags & flag::converging);
+  EXPECT_TRUE(cycle_.result().flags & flag::converging);
+}
+
+TEST_F(MonitorCycleTest, ASensorMissingFromTheStartIsUsedSoonAfterItComes) {
+  fly(600, [](Sample& s) { s.sensor_valid &= ~(1u << sensor); });
+  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  fly(210);  // requalification takes 200
+  EXPECT_TRUE(cycle_.result().sensors_used[sensor]);
+}
+
+TEST_F(MonitorCycleTest, ASecondSourceIsNotListenedToUntilTheFirstIsSilent) {
+  fly(settle);
+  const estimation::HealthVector before = cycle_.filter().health();
+  test::Flight other(design_->model, Eigen::VectorXd::Zero(10), 5);
+  for (int i = 0; i < 10; ++i) {
+    Sample s = other.next();
+    s.source_id = 9;
+    EXPECT_FALSE(cycle_.process(s));
+  }
+  EXPECT_EQ(cycle_.counters().foreign, 10u);
+  EXPECT_EQ(cycle_.filter().health(), before);
+  ASSERT_EQ(cycle_.events().size(), 1u);  // said once
+  EXPECT_EQ(cycle_.events().begin()->kind, wire::EventKind::second_source);
+  cycle_.no_input(1.0);
+  Sample s = other.next();
+  s.source_id = 9;
+  s.source_time_ns += 1'000'000'000'000;
+  EXPECT_TRUE(cycle_.process(s));
+}
+
+TEST_F(MonitorCycleTest, AnotherSampleTimeIsNoticedAndEstimatesAreWithheld) {
+  fly(200, [](Sample& s) { s.source_time_ns *= 2; });
+  EXPECT_FALSE(cycle_.result().estimates);
+  EXPECT_EQ(count(wire::EventKind::sample_time, true), 1);
 }
 
 TEST_F(MonitorCycleTest, LostInputIsRaisedOnceAndClearedByTheNextSample) {

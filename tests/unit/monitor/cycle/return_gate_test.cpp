@@ -26,7 +26,7 @@ TEST(ReturnGate, ForgetsAfterAHour) {
 
 TEST(ReturnGate, ForgetsAtOnceWhenTheEngineChanged) {
   ReturnGate g = gate();
-  g.health_shifted();
+  g.forget();
   EXPECT_LT(g.ratio(13.0, 5.0), 1.0);
 }
 

@@ -66,6 +66,26 @@ TEST(SampleCheck, RestartsWhenTimeJumpsBackwards) {
   EXPECT_NEAR(d.jump_s, -50.0, 1e-9);
 }
 
+TEST(SampleCheck, RestartsWhenTheClockIsSetBackALittle) {
+  SampleCheck c = check();
+  c.decide(sample(1000, 100.0));
+  EXPECT_EQ(c.decide(sample(1001, 99.5)).verdict, SampleVerdict::restarted);
+  EXPECT_EQ(c.decide(sample(1002, 99.515)).verdict, SampleVerdict::accepted);
+}
+
+TEST(SampleCheck, FollowsOneSourceUntilItIsReleased) {
+  SampleCheck c = check();
+  Sample a = sample(0, 0.0), b = sample(0, 0.0);
+  a.source_id = 1;
+  b.source_id = 2;
+  EXPECT_EQ(c.decide(a).verdict, SampleVerdict::first);
+  EXPECT_EQ(c.decide(b).verdict, SampleVerdict::foreign);
+  c.release_source();
+  b.sequence = 1;
+  b.source_time_ns = 15'000'000;
+  EXPECT_EQ(c.decide(b).verdict, SampleVerdict::accepted);
+}
+
 TEST(SampleCheck, RestartsAfterAGapLongerThanAllowedAndStillCountsIt) {
   SampleCheck c = check();
   c.decide(sample(0, 0.0));
