@@ -3,12 +3,10 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <iostream>
 #include <optional>
 
+#include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
@@ -23,26 +21,13 @@ int main(int argc, char** argv) {
   config::Schema schema;
   engine::declare(schema, config);
 
-  CLI::App app{"Flies a nonlinear turbofan and publishes its sensors on DDS.\n" + std::string(service::exit_code_help)};
-  std::string file;
-  bool print_config = false, check_config = false;
-  app.add_option("--config", file, "scenario file (TOML)");
-  app.add_flag("--print-config", print_config, "print every key with default, range and description, and exit");
-  app.add_flag("--check-config", check_config, "read the configuration, trim the engine, and exit");
-  app.set_version_flag("--version", std::string("engine_sim " EHM_VERSION));
-  schema.add_flags(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
-  }
-  if (print_config) {
-    std::cout << schema.reference();
-    return service::exit_ok;
-  }
+  config::CommandLine line;
+  if (const auto code = config::parse_command_line(
+          argc, argv, "engine_sim", "Flies a nonlinear turbofan and publishes its sensors on DDS.", schema, line))
+    return *code;
 
   try {
-    schema.load(file);
+    schema.load(line.file);
     engine::finish_config(config);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
   } catch (const std::exception& e) {
@@ -57,7 +42,7 @@ int main(int argc, char** argv) {
     std::cerr << "engine_sim: 'demand', 'flight' or 'wear': " << e.what() << '\n';
     return service::exit_usage;
   }
-  if (check_config) {
+  if (line.check_config) {
     std::cout << "configuration is valid; fan speed demand " << simulation->nominal().speeds.n1_rpm << " rpm\n";
     return service::exit_ok;
   }

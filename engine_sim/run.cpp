@@ -20,8 +20,8 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds match_poll{10};
 constexpr milliseconds answer_limit{10'000};
-// Matching is not symmetric: a reader that we know may learn of us an announcement later. Samples sent in between arrive,
-// but late.
+// Matching is not symmetric: a reader that we know may learn of us an announcement later. Samples sent in between
+// arrive, but late.
 constexpr milliseconds match_settling{300};
 
 wire::ParticipantOptions participant_options(const SimConfig& config) {
@@ -36,13 +36,15 @@ wire::ParticipantOptions participant_options(const SimConfig& config) {
 }
 
 std::int64_t wall_clock_ns() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
 }
 
 /// Real time stamps samples with the clock; an accelerated run with simulated time from its start, so that dt is right.
 class SourceClock {
  public:
-  SourceClock(bool real_time, double period_s) : real_time_(real_time), period_s_(period_s), start_ns_(wall_clock_ns()) {}
+  SourceClock(bool real_time, double period_s)
+      : real_time_(real_time), period_s_(period_s), start_ns_(wall_clock_ns()) {}
   std::int64_t stamp(std::uint64_t sequence) const {
     return real_time_ ? wall_clock_ns()
                       : start_ns_ + static_cast<std::int64_t>(static_cast<double>(sequence) * period_s_ * 1e9);

@@ -40,7 +40,7 @@ Simulation::Simulation(const Scenario& scenario)
       profile_({0.0, scenario.flight, nominal_.gas.speeds.n1_rpm}, scenario.profile),
       deterioration_(scenario),
       start_(settle(turbofan_, profile_.at(0.0).flight, deterioration_.at(0.0),
-                          {DemandKind::n1_rpm, profile_.at(0.0).n1_rpm}, &nominal_)),
+                    {DemandKind::n1_rpm, profile_.at(0.0).n1_rpm}, &nominal_)),
       transient_(turbofan_, start_),
       governor_(scenario.governor, start_.gas.speeds.n1_rpm, start_.operation.fuel_flow_kg_s),
       sensors_(scenario.sensors, true_sensors(nominal_.gas), static_cast<std::uint64_t>(scenario.seed)),

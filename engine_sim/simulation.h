@@ -1,9 +1,11 @@
 #pragma once
-// One simulated engine in flight: profile -> governor -> gas path -> sensors, one sample after another. No clock, no DDS.
+// One simulated engine in flight: profile -> governor -> gas path -> sensors, one sample after another. No clock, no
+// DDS.
 //
-// Sample k is taken at t = k dt. The fuel flow of sample k acts from t to t + dt, and its direct effect on pressures and
-// temperatures is in the readings of sample k: u[k] of THEORY.md section 4.
-// @throws FlightError when the engine cannot run as demanded: says when, where, what was demanded, and which balance does not
+// Sample k is taken at t = k dt. The fuel flow of sample k acts from t to t + dt, and its direct effect on pressures
+// and temperatures is in the readings of sample k: u[k] of THEORY.md section 4.
+// @throws FlightError when the engine cannot run as demanded: says when, where, what was demanded, and which balance
+// does not
 //         close.
 
 #include <array>

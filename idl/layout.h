@@ -1,6 +1,7 @@
 #pragma once
 // The memory layout of the stream types equals their serialised layout (XCDR1, little endian): Fast DDS then copies
-// them in one piece. The generator decides this from the IDL and misjudges tail padding (DESIGN.md), so it is held here.
+// them in one piece. The generator decides this from the IDL and misjudges tail padding (DESIGN.md), so it is held
+// here.
 
 #include <cstddef>
 

@@ -15,13 +15,13 @@ enum class Delivery {
 template <class T>
 struct Topic;
 
-#define EHM_TOPIC(TYPE, DELIVERY, ESTIMATE)                \
-  template <>                                              \
-  struct Topic<TYPE> {                                     \
-    using PubSubType = TYPE##PubSubType;                   \
-    static constexpr const char* name = #TYPE;             \
+#define EHM_TOPIC(TYPE, DELIVERY, ESTIMATE)                  \
+  template <>                                                \
+  struct Topic<TYPE> {                                       \
+    using PubSubType = TYPE##PubSubType;                     \
+    static constexpr const char* name = #TYPE;               \
     static constexpr Delivery delivery = Delivery::DELIVERY; \
-    static constexpr bool estimate = ESTIMATE;             \
+    static constexpr bool estimate = ESTIMATE;               \
   };
 
 // The last column: written by redundant monitors under exclusive ownership.

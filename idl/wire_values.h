@@ -10,7 +10,8 @@ inline constexpr std::uint32_t schema_version = 1;
 
 /// EngineHealth.flags, EngineAuxiliary.flags, MonitorStatus.flags: bits.
 namespace estimate_flag {
-inline constexpr std::uint32_t converging = 1u << 0;  ///< filter started less than seven of its slowest time constants ago
+inline constexpr std::uint32_t converging = 1u
+                                            << 0;  ///< filter started less than seven of its slowest time constants ago
 inline constexpr std::uint32_t bridging = 1u << 1;    ///< a sensor of the design was predicted, not fused
 inline constexpr std::uint32_t degraded = 1u << 2;    ///< a design without some sensor flies
 inline constexpr std::uint32_t off_design = 1u << 3;  ///< outside the design's operating point or sample time
@@ -33,10 +34,10 @@ enum class DescriptionRole : std::uint32_t { source = 1, monitor = 2 };
 
 enum class StatusLevel : std::uint32_t {
   ok = 0,
-  warn = 1,   ///< estimates flow, with a restriction (degraded, off design, shift, losses)
-  error = 2,  ///< input arrives, but no estimate can be made
-  stale = 3,  ///< no input for three periods
-  stopped = 4 ///< the monitor has shut down in order
+  warn = 1,    ///< estimates flow, with a restriction (degraded, off design, shift, losses)
+  error = 2,   ///< input arrives, but no estimate can be made
+  stale = 3,   ///< no input for three periods
+  stopped = 4  ///< the monitor has shut down in order
 };
 
 enum class EventKind : std::uint32_t {
@@ -53,12 +54,12 @@ enum class EventKind : std::uint32_t {
 };
 
 enum class SimCommandKind : std::uint32_t {
-  set_demand = 1,      ///< value[0]: fan speed demand n1_rpm
-  set_flight = 2,      ///< value: altitude_m, mach, delta_isa_k
-  set_health = 3,      ///< channel, value[0]: fraction, value[1]: ramp time s (0: a step)
-  add_health = 4,      ///< as set_health, relative to the present value
-  sensor_fault = 5,    ///< channel, fault, value[0]: magnitude (SensorFaultKind), value[1]: duration s (0: until cleared)
-  clear_faults = 6     ///< all sensors
+  set_demand = 1,    ///< value[0]: fan speed demand n1_rpm
+  set_flight = 2,    ///< value: altitude_m, mach, delta_isa_k
+  set_health = 3,    ///< channel, value[0]: fraction, value[1]: ramp time s (0: a step)
+  add_health = 4,    ///< as set_health, relative to the present value
+  sensor_fault = 5,  ///< channel, fault, value[0]: magnitude (SensorFaultKind), value[1]: duration s (0: until cleared)
+  clear_faults = 6   ///< all sensors
 };
 
 enum class SensorFaultKind : std::uint32_t {

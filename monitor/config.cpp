@@ -17,43 +17,59 @@ constexpr std::int64_t max_id = 4294967295;
 
 void declare_cycle(Schema& schema, CycleOptions& o) {
   auto& c = o.checks;
-  schema.real("checks.range_percent", c.range_percent, 1, 1000, "percent of trim", "a sensor farther from its trim is out of range");
-  schema.real("checks.rate_percent", c.rate_percent, 0.1, 1000, "percent of trim", "a larger step between two samples is impossible");
-  schema.integer("checks.stuck_samples", c.stuck_samples, 3, 100000, "samples", "as many equal values in a row are a stuck channel");
+  schema.real("checks.range_percent", c.range_percent, 1, 1000, "percent of trim",
+              "a sensor farther from its trim is out of range");
+  schema.real("checks.rate_percent", c.rate_percent, 0.1, 1000, "percent of trim",
+              "a larger step between two samples is impossible");
+  schema.integer("checks.stuck_samples", c.stuck_samples, 3, 100000, "samples",
+                 "as many equal values in a row are a stuck channel");
   schema.real("checks.gate_sigma", c.gate_sigma, 2, 20, "sigma", "innovation gate: a value outside is not fused");
-  schema.integer("checks.bridge_samples", c.bridge_samples, 1, 1000, "samples", "bad values in a row that prediction bridges before the sensor is declared faulty");
-  schema.integer("checks.requalify_samples", c.requalify_samples, 1, 1000000, "samples", "good values in a row before a faulty sensor is used again");
-  schema.real("checks.restart_gap_s", c.restart_gap_s, 0.05, 3600, "s", "a longer gap, or a larger jump back in time, restarts the filter");
-  schema.real("checks.stale_periods", o.stale_periods, 1.5, 10000, "sample times", "without input for so long the engine is STALE");
+  schema.integer("checks.bridge_samples", c.bridge_samples, 1, 1000, "samples",
+                 "bad values in a row that prediction bridges before the sensor is declared faulty");
+  schema.integer("checks.requalify_samples", c.requalify_samples, 1, 1000000, "samples",
+                 "good values in a row before a faulty sensor is used again");
+  schema.real("checks.restart_gap_s", c.restart_gap_s, 0.05, 3600, "s",
+              "a longer gap, or a larger jump back in time, restarts the filter");
+  schema.real("checks.stale_periods", o.stale_periods, 1.5, 10000, "sample times",
+              "without input for so long the engine is STALE");
   auto& v = o.validity;
-  schema.real("validity.altitude_m", v.altitude_m, 1, 20000, "m", "farther from the design's altitude estimates are withheld");
+  schema.real("validity.altitude_m", v.altitude_m, 1, 20000, "m",
+              "farther from the design's altitude estimates are withheld");
   schema.real("validity.mach", v.mach, 0.001, 1, "", "farther from the design's Mach number estimates are withheld");
-  schema.real("validity.delta_isa_k", v.delta_isa_k, 0.1, 100, "K", "farther from the design's ambient temperature estimates are withheld");
-  schema.real("validity.actuator_percent", v.actuator_percent, 0.1, 1000, "percent of trim", "farther from the design's actuator position estimates are withheld");
+  schema.real("validity.delta_isa_k", v.delta_isa_k, 0.1, 100, "K",
+              "farther from the design's ambient temperature estimates are withheld");
+  schema.real("validity.actuator_percent", v.actuator_percent, 0.1, 1000, "percent of trim",
+              "farther from the design's actuator position estimates are withheld");
   auto& s = o.shift;
-  schema.real("shift.window_s", s.window_s, 0.5, 60, "s", "a health shift is a change against the estimate so long ago");
+  schema.real("shift.window_s", s.window_s, 0.5, 60, "s",
+              "a health shift is a change against the estimate so long ago");
   schema.real("shift.persistence_s", s.persistence_s, 0, 60, "s", "and must last so long");
-  schema.real("shift.false_alarm_per_hour", s.false_alarm_per_hour, 1e-9, 100, "1/h", "rate at which noise alone may raise a health shift");
+  schema.real("shift.false_alarm_per_hour", s.false_alarm_per_hour, 1e-9, 100, "1/h",
+              "rate at which noise alone may raise a health shift");
 }
 
 void declare_tables(Schema& schema, MonitorConfig& m) {
-  schema.tables("engine", "which design flies for which engines: ids, design",
-                [&m](const std::string& file, const toml::array& array) {
-                  for (const auto& element : array) {
-                    TableReader t(file, "engine", *element.as_table());
-                    m.engines.push_back({t.integers("ids", 1, max_id), t.text("design")});
-                    t.finish();
-                    if (m.engines.back().ids.empty())
-                      throw ConfigError(config::where(file, element) + ": 'engine.ids' is empty, allowed is at least one id");
-                  }
-                });
-  schema.tables("limit", "an event when an estimate leaves its range: quantity (a health or auxiliary channel), min, max, hysteresis, in the channel's unit",
+  schema.tables(
+      "engine", "which design flies for which engines: ids, design",
+      [&m](const std::string& file, const toml::array& array) {
+        for (const auto& element : array) {
+          TableReader t(file, "engine", *element.as_table());
+          m.engines.push_back({t.integers("ids", 1, max_id), t.text("design")});
+          t.finish();
+          if (m.engines.back().ids.empty())
+            throw ConfigError(config::where(file, element) + ": 'engine.ids' is empty, allowed is at least one id");
+        }
+      });
+  schema.tables("limit",
+                "an event when an estimate leaves its range: quantity (a health or auxiliary channel), min, max, "
+                "hysteresis, in the channel's unit",
                 [&m](const std::string& file, const toml::array& array) {
                   constexpr double infinity = std::numeric_limits<double>::infinity();
                   for (const auto& element : array) {
                     TableReader t(file, "limit", *element.as_table());
                     const LimitOptions limit{t.text("quantity"), t.real_or("min", -infinity, -1e12, 1e12),
-                                             t.real_or("max", infinity, -1e12, 1e12), t.real_or("hysteresis", 0.0, 0, 1e12)};
+                                             t.real_or("max", infinity, -1e12, 1e12),
+                                             t.real_or("hysteresis", 0.0, 0, 1e12)};
                     t.finish();
                     if (!(limit.min < limit.max) || (limit.min == -infinity && limit.max == infinity))
                       throw ConfigError(config::where(file, element) + ": 'limit' for '" + limit.quantity +
@@ -74,30 +90,38 @@ void declare_tables(Schema& schema, MonitorConfig& m) {
 }  // namespace
 
 void declare(Schema& schema, MonitorConfig& m) {
-  schema.text("monitor.design", m.design, "design file of tuner_design, flown for every engine without an [[engine]] table");
+  schema.text("monitor.design", m.design,
+              "design file of tuner_design, flown for every engine without an [[engine]] table");
   schema.integer("monitor.source_id", m.source_id, 1, max_id, "", "identifies this monitor on the wire");
-  schema.integer("monitor.max_engines", m.max_engines, 1, 1000, "engines", "filters prepared at start; samples of further engines are counted and refused");
-  schema.real("monitor.status_period_s", m.status_period_s, 0.05, 60, "s", "time between MonitorStatus messages of an engine");
-  schema.choice("monitor.clock", m.clock, {"monotonic", "source"}, "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
+  schema.integer("monitor.max_engines", m.max_engines, 1, 1000, "engines",
+                 "filters prepared at start; samples of further engines are counted and refused");
+  schema.real("monitor.status_period_s", m.status_period_s, 0.05, 60, "s",
+              "time between MonitorStatus messages of an engine");
+  schema.choice("monitor.clock", m.clock, {"monotonic", "source"},
+                "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", m.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
   schema.text("dds.profile", m.profile, "participant profile to take from dds.profiles_file");
-  schema.choice("dds.ownership", m.ownership, {"shared", "exclusive"}, "of the estimate topics; exclusive for redundant monitors, and their readers must ask for it");
-  schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "", "of this monitor under exclusive ownership; the strongest live one is seen");
+  schema.choice("dds.ownership", m.ownership, {"shared", "exclusive"},
+                "of the estimate topics; exclusive for redundant monitors, and their readers must ask for it");
+  schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",
+                 "of this monitor under exclusive ownership; the strongest live one is seen");
   schema.choice("log.level", m.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
   declare_tables(schema, m);
 }
 
 void finish_config(const MonitorConfig& m) {
   if (m.design.empty() && m.engines.empty())
-    throw ConfigError("no design: set monitor.design (--monitor-design FILE) or an [[engine]] table; tuner_design makes the file");
+    throw ConfigError(
+        "no design: set monitor.design (--monitor-design FILE) or an [[engine]] table; tuner_design makes the file");
   std::set<std::int64_t> seen;
   for (const auto& e : m.engines)
     for (const auto id : e.ids)
       if (!seen.insert(id).second)
-        throw ConfigError("'engine.ids' names engine " + std::to_string(id) + " twice; one design per engine is allowed");
+        throw ConfigError("'engine.ids' names engine " + std::to_string(id) +
+                          " twice; one design per engine is allowed");
   if (static_cast<std::int64_t>(seen.size()) > m.max_engines)
     throw ConfigError("[[engine]] tables name " + std::to_string(seen.size()) +
                       " engines, monitor.max_engines allows " + std::to_string(m.max_engines));

@@ -12,10 +12,10 @@ using wire::StatusLevel;
 
 namespace {
 constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
-// Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing; a
-// source that says nothing at all for so long is lost all the same.
+// Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing;
+// a source that says nothing at all for so long is lost all the same.
 constexpr double source_silence_s = 2.0;
-}
+}  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
                          ReportQueue& reports)
@@ -101,8 +101,13 @@ void CycleThread::watch_input() {
 
 void CycleThread::report_events(EngineSlot& slot) {
   for (const Event& event : slot.cycle.events())
-    reports_.push({Report::Kind::event, slot.engine_id, &slot.cycle.design(), event, slot.sample.sequence,
-                   slot.sample.source_time_ns, {}});
+    reports_.push({Report::Kind::event,
+                   slot.engine_id,
+                   &slot.cycle.design(),
+                   event,
+                   slot.sample.sequence,
+                   slot.sample.source_time_ns,
+                   {}});
   slot.cycle.clear_events();
 }
 

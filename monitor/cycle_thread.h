@@ -1,6 +1,6 @@
 #pragma once
-// The real-time side of the service: takes each sample as it arrives, runs its engine's cycle, writes the estimates, and
-// watches for input that stays away. Logs, events and status go to the reporter through a bounded queue.
+// The real-time side of the service: takes each sample as it arrives, runs its engine's cycle, writes the estimates,
+// and watches for input that stays away. Logs, events and status go to the reporter through a bounded queue.
 
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 

@@ -16,13 +16,13 @@ struct EngineSlot {
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet
   MonitorCycle cycle;
   LatencyHistogram latency;
-  Sample sample;                        ///< the latest
-  std::int64_t received_ns = 0;         ///< monotonic, of the latest sample
+  Sample sample;                 ///< the latest
+  std::int64_t received_ns = 0;  ///< monotonic, of the latest sample
   std::uint64_t deadline_misses = 0;
-  std::int64_t status_ns = 0;           ///< monotonic, of the latest status
-  std::uint64_t status_received = 0;    ///< samples received up to that status
+  std::int64_t status_ns = 0;         ///< monotonic, of the latest status
+  std::uint64_t status_received = 0;  ///< samples received up to that status
   std::uint32_t status_level = 0;
-  CycleCounters status_counters;        ///< at that status, to tell what is new
+  CycleCounters status_counters;  ///< at that status, to tell what is new
 };
 
 }  // namespace ehm::monitor

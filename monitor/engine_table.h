@@ -16,8 +16,8 @@ class EngineTable {
  public:
   explicit EngineTable(const MonitorConfig& config);
 
-  /// The engine's slot; null for an engine that no design serves or that finds no spare filter. A spare one is given away
-  /// only if `may_join`: not for a stray message that cannot be read. Real-time safe: yes.
+  /// The engine's slot; null for an engine that no design serves or that finds no spare filter. A spare one is given
+  /// away only if `may_join`: not for a stray message that cannot be read. Real-time safe: yes.
   EngineSlot* find(std::uint32_t engine_id, bool may_join) noexcept;
   /// All slots in use.
   template <class Visit>

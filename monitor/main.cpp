@@ -3,11 +3,9 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <iostream>
 
+#include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
@@ -54,28 +52,14 @@ int main(int argc, char** argv) {
   config::Schema schema;
   monitor::declare(schema, config);
 
-  CLI::App app{"Estimates engine health from sensor samples on DDS, and publishes it.\n" +
-               std::string(service::exit_code_help)};
-  std::string file;
-  bool print_config = false, check_config = false;
-  app.add_option("--config", file, "configuration file (TOML)");
-  app.add_flag("--print-config", print_config, "print every key with default, range and description, and exit");
-  app.add_flag("--check-config", check_config, "read the configuration and every design, and exit");
-  app.set_version_flag("--version", std::string("monitor " EHM_VERSION));
-  schema.add_flags(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
-  }
-  if (print_config) {
-    std::cout << schema.reference();
-    return service::exit_ok;
-  }
+  config::CommandLine line;
+  if (const auto code = config::parse_command_line(
+          argc, argv, "monitor", "Estimates engine health from sensor samples on DDS, and publishes it.", schema, line))
+    return *code;
 
   std::unique_ptr<monitor::EngineTable> engines;
   try {
-    schema.load(file);
+    schema.load(line.file);
     monitor::finish_config(config);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
     engines = std::make_unique<monitor::EngineTable>(config);
@@ -83,7 +67,7 @@ int main(int argc, char** argv) {
     std::cerr << "monitor: " << e.what() << '\n';
     return service::exit_usage;
   }
-  if (check_config) {
+  if (line.check_config) {
     std::cout << "configuration and designs are valid, filters for " << engines->size() << " engines\n";
     return service::exit_ok;
   }

@@ -79,17 +79,28 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
   decision = sample_check_.decide(sample);
   counters_.lost += decision.lost;
   switch (decision.verdict) {
-    case SampleVerdict::malformed: ++counters_.malformed; return false;
-    case SampleVerdict::duplicate: ++counters_.duplicated; return false;
-    case SampleVerdict::reordered: ++counters_.reordered; return false;
+    case SampleVerdict::malformed:
+      ++counters_.malformed;
+      return false;
+    case SampleVerdict::duplicate:
+      ++counters_.duplicated;
+      return false;
+    case SampleVerdict::reordered:
+      ++counters_.reordered;
+      return false;
     case SampleVerdict::foreign:
       ++counters_.foreign;
-      second_source_.set(true, {wire::EventKind::second_source, 0, true, static_cast<double>(sample.source_id),
-                                static_cast<double>(sample_check_.source_id()), 0}, events_);
+      second_source_.set(true,
+                         {wire::EventKind::second_source, 0, true, static_cast<double>(sample.source_id),
+                          static_cast<double>(sample_check_.source_id()), 0},
+                         events_);
       return false;
-    case SampleVerdict::restarted: restart(decision.jump_s); break;
+    case SampleVerdict::restarted:
+      restart(decision.jump_s);
+      break;
     case SampleVerdict::first:
-    case SampleVerdict::accepted: break;
+    case SampleVerdict::accepted:
+      break;
   }
   input_lost_.set(false, {wire::EventKind::input_lost, 0, false, 0.0, 0.0, 0}, events_);
   for (int i = 0; i < actuators_; ++i) du_(i) = sample.actuator[static_cast<std::size_t>(i)] - actuator_trim_(i);
@@ -185,9 +196,9 @@ void MonitorCycle::qualify() noexcept {
     const auto s = static_cast<std::size_t>(i);
     const std::uint32_t why = result_.reason[s];
     const bool excluded = qualification_[s].observe(why == 0, options_.checks) == Qualification::State::excluded;
-    sensor_fault_[s].set(excluded,
-                         {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false, result_.ratio(i), 1.0, why},
-                         events_);
+    sensor_fault_[s].set(
+        excluded, {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false, result_.ratio(i), 1.0, why},
+        events_);
     if (excluded) result_.reason[s] |= reason::excluded;
     counters_.sensor_rejections += result_.reason[s] != 0;
   }

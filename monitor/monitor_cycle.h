@@ -29,20 +29,20 @@ namespace ehm::monitor {
 
 /// What the cycle has counted since it was made.
 struct CycleCounters {
-  std::uint64_t received = 0;    ///< every sample that came
-  std::uint64_t processed = 0;   ///< led to estimates
-  std::uint64_t lost = 0;        ///< gaps of the sequence
+  std::uint64_t received = 0;   ///< every sample that came
+  std::uint64_t processed = 0;  ///< led to estimates
+  std::uint64_t lost = 0;       ///< gaps of the sequence
   std::uint64_t duplicated = 0, reordered = 0, malformed = 0;
-  std::uint64_t foreign = 0;     ///< from a second source of the same engine
-  std::uint64_t withheld = 0;    ///< accepted, but no honest estimate: off design, or no design for the sensors left
+  std::uint64_t foreign = 0;   ///< from a second source of the same engine
+  std::uint64_t withheld = 0;  ///< accepted, but no honest estimate: off design, or no design for the sensors left
   std::uint64_t sensor_rejections = 0;
   std::uint64_t restarts = 0;
 };
 
 /// Result of one sample that was in order. Estimates are the filter's, in channel units.
 struct CycleResult {
-  bool estimates = false;  ///< estimates hold; where not, the reasons say why
-  std::uint32_t flags = 0; ///< wire::estimate_flag
+  bool estimates = false;   ///< estimates hold; where not, the reasons say why
+  std::uint32_t flags = 0;  ///< wire::estimate_flag
   estimation::SensorMask sensors_used, rejected, fused;
   std::array<std::uint32_t, estimation::max_sensors> reason{};  ///< wire::reject_reason bits by sensor
   /// Sensor units, their squares, and the test ratio of the gate; all 0 where no filter ran.
@@ -55,10 +55,11 @@ class MonitorCycle {
   /// @throws std::invalid_argument if an option does not fit the design (names it).
   MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options);
 
-  /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last result
-  /// stands. Real-time safe: yes.
+  /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
+  /// result stands. Real-time safe: yes.
   bool process(const Sample& sample) noexcept;
-  /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. Real-time safe: yes.
+  /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. Real-time safe:
+  /// yes.
   void no_input(double age_s) noexcept;
   /// Cold start of the filter, by an operator's order. Real-time safe: yes.
   void reset() noexcept;
@@ -107,7 +108,7 @@ class MonitorCycle {
   ShiftDetector shift_;
   LimitWatch limits_;
 
-  estimation::SensorVector dy_, sensor_trim_;              ///< deviations from trim, NaN where there is no value
+  estimation::SensorVector dy_, sensor_trim_;  ///< deviations from trim, NaN where there is no value
   estimation::ActuatorVector du_, du_previous_, actuator_trim_;
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left

@@ -8,13 +8,13 @@
 namespace ehm::monitor {
 
 struct CheckOptions {
-  double range_percent = 60.0;          ///< a sensor farther from its trim is out of range, percent of trim
-  double rate_percent = 12.0;           ///< a larger step between samples is impossible, percent of trim
-  std::int64_t stuck_samples = 20;      ///< as many equal values in a row are a stuck channel
-  double gate_sigma = 5.0;              ///< innovation gate; 5 sigma closes falsely once in 1.7 million values
-  std::int64_t bridge_samples = 5;      ///< bad samples in a row that are bridged before the sensor is declared faulty
-  std::int64_t requalify_samples = 200; ///< good samples in a row before it is used again
-  double restart_gap_s = 2.0;           ///< a longer gap, or a larger jump back in time, restarts the filter
+  double range_percent = 60.0;           ///< a sensor farther from its trim is out of range, percent of trim
+  double rate_percent = 12.0;            ///< a larger step between samples is impossible, percent of trim
+  std::int64_t stuck_samples = 20;       ///< as many equal values in a row are a stuck channel
+  double gate_sigma = 5.0;               ///< innovation gate; 5 sigma closes falsely once in 1.7 million values
+  std::int64_t bridge_samples = 5;       ///< bad samples in a row that are bridged before the sensor is declared faulty
+  std::int64_t requalify_samples = 200;  ///< good samples in a row before it is used again
+  double restart_gap_s = 2.0;            ///< a longer gap, or a larger jump back in time, restarts the filter
 };
 
 /// How far from the design's operating point its linear model is trusted.
@@ -26,8 +26,8 @@ struct ValidityOptions {
 };
 
 struct ShiftOptions {
-  double window_s = 4.0;           ///< the estimate is compared with itself this long ago
-  double persistence_s = 1.0;      ///< the change must last this long before it is named
+  double window_s = 4.0;       ///< the estimate is compared with itself this long ago
+  double persistence_s = 1.0;  ///< the change must last this long before it is named
   double false_alarm_per_hour = 1e-3;
 };
 

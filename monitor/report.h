@@ -18,7 +18,7 @@ struct Report {
   Event event;                             ///< Kind::event
   std::uint64_t sequence = 0;
   std::int64_t source_time_ns = 0;
-  MonitorStatus status;                    ///< Kind::status
+  MonitorStatus status;  ///< Kind::status
 };
 
 /// Room for several reports of each of a thousand engines between two turns of the reporter.

@@ -45,16 +45,21 @@ bool Reporter::report_next() {
   Report report;
   if (!queue_.pop(report)) return false;
   switch (report.kind) {
-    case Report::Kind::event: report_event(report); break;
-    case Report::Kind::status: status_.write(report.status); break;
+    case Report::Kind::event:
+      report_event(report);
+      break;
+    case Report::Kind::status:
+      status_.write(report.status);
+      break;
     case Report::Kind::new_engine:
       descriptions_.write(describe(*report.design, report.engine_id, source_id_));
       spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
       break;
     case Report::Kind::unknown_engine:
-      spdlog::warn("engine {}: no design serves it ({} samples refused so far); name it in an [[engine]] table or raise "
-                   "monitor.max_engines",
-                   report.engine_id, report.sequence);
+      spdlog::warn(
+          "engine {}: no design serves it ({} samples refused so far); name it in an [[engine]] table or raise "
+          "monitor.max_engines",
+          report.engine_id, report.sequence);
       break;
   }
   return true;
@@ -85,8 +90,7 @@ void Reporter::report_event(const Report& report) {
 
 void Reporter::report_overflow() {
   if (const std::uint64_t overflow = queue_.overflow(); overflow != overflow_said_) {
-    spdlog::error("{} events did not fit the queue and are lost; the reporter thread is starved",
-                  overflow);
+    spdlog::error("{} events did not fit the queue and are lost; the reporter thread is starved", overflow);
     overflow_said_ = overflow;
   }
 }

@@ -82,7 +82,8 @@ void print_errors(const Design& design, std::ostream& out) {
   const auto head = [&](const std::string& what) {
     out << '\n'
         << "  " << std::left << std::setw(static_cast<int>(width)) << what << std::right << std::setw(11) << "SSEE"
-        << std::setw(11) << "limit" << std::setw(11) << "full MAP" << std::setw(11) << "nonlinear" << std::setw(11) << "sigma"
+        << std::setw(11) << "limit" << std::setw(11) << "full MAP" << std::setw(11) << "nonlinear" << std::setw(11)
+        << "sigma"
         << "  sigma in\n";
   };
   head("health");

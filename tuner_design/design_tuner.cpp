@@ -135,7 +135,8 @@ Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::Matrix
   const Eigen::MatrixXd Ph = health_sigma.cwiseAbs2().asDiagonal();
   if (t == H.rows()) return row_space(H * Ph);
   const Eigen::LLT<Eigen::MatrixXd> factor(noise);
-  if (factor.info() != Eigen::Success) throw std::runtime_error("tuners: the noise covariance N is not positive definite");
+  if (factor.info() != Eigen::Success)
+    throw std::runtime_error("tuners: the noise covariance N is not positive definite");
   const Eigen::MatrixXd weighted = factor.matrixL().solve(H);  // N^-1/2 H
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(weighted * health_sigma.asDiagonal(), Eigen::ComputeThinU);
   return row_space(svd.matrixU().leftCols(t).transpose() * weighted * Ph);

@@ -3,11 +3,11 @@
 // range(W) = range(Ph H^T), that is V = T H Ph with any invertible T, for health and every linear auxiliary output at
 // once. T is chosen so that V has orthonormal rows. With at least as many sensors as health parameters nothing has to
 // be reduced: V = I. Only the row space of V matters (Simon & Garg, NASA/TM-2010-216077, section on uniqueness).
-// One design for all sensors, and one without each single sensor. A design without a sensor, and every design of a model
-// that knows its linearisation error, drops the weakest combinations of health parameters, one by one, while a published
-// sigma would exceed the fleet's own: an estimate must not be worse than none. Weak is what stands out least from what a
-// long average still gets wrong: N = Lambda_y + R / 256 (some 4 s of samples) with the sensors' part of the linearisation
-// error, N = R where that is unknown.
+// One design for all sensors, and one without each single sensor. A design without a sensor, and every design of a
+// model that knows its linearisation error, drops the weakest combinations of health parameters, one by one, while a
+// published sigma would exceed the fleet's own: an estimate must not be worse than none. Weak is what stands out least
+// from what a long average still gets wrong: N = Lambda_y + R / 256 (some 4 s of samples) with the sensors' part of the
+// linearisation error, N = R where that is unknown.
 
 #include <Eigen/Core>
 #include <string>

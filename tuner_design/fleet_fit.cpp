@@ -30,9 +30,8 @@ Fleet steady_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& 
     engine::HealthVector worn = trim.operation.health;
     for (double& h : worn) h += health_sigma * random.normal();
     try {
-      const engine::SteadyPoint point =
-          engine::solve_steady(turbofan, trim.operation.flight, worn,
-                               {engine::DemandKind::n1_rpm, trim.gas.speeds.n1_rpm}, &trim);
+      const engine::SteadyPoint point = engine::solve_steady(
+          turbofan, trim.operation.flight, worn, {engine::DemandKind::n1_rpm, trim.gas.speeds.n1_rpm}, &trim);
       fleet.inputs.col(solved) = inputs_of(point);
       fleet.outputs.col(solved) = outputs_of(point.gas);
       ++solved;

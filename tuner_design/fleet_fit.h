@@ -1,12 +1,12 @@
 #pragma once
 // The linear model that serves a whole fleet best, and what it still misses.
 //
-// Engines with h ~ N(0, health_sigma^2) run in steady state at the trim's fan speed. Over them, each moved a little off its
-// balance so that speeds and fuel are told apart from health,
+// Engines with h ~ N(0, health_sigma^2) run in steady state at the trim's fan speed. Over them, each moved a little off
+// its balance so that speeds and fuel are told apart from health,
 //   f(v) ~ f0 + J (v - v0)                             least squares, v and f of engine_channels.h
-// Where the engine is curved or kinked over the fleet's spread (map lines change their spacing) this beats the tangent at
-// the new engine; it is statistical linearisation. The trim moves to where the fitted engine is in balance.
-// What is left is measured on the same fleet in steady state, as the filter meets it:
+// Where the engine is curved or kinked over the fleet's spread (map lines change their spacing) this beats the tangent
+// at the new engine; it is statistical linearisation. The trim moves to where the fitted engine is in balance. What is
+// left is measured on the same fleet in steady state, as the filter meets it:
 //   Lambda = E[r r^T],  r = [y; z] - trim - linear steady [y; z] under the engine's own fuel flow and health.
 
 #include <cstdint>

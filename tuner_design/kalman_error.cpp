@@ -51,8 +51,8 @@ Eigen::MatrixXd seen_through(const Eigen::MatrixXd& T, const Eigen::MatrixXd& co
   return 0.5 * (result + result.transpose());
 }
 
-/// [T offset, -z] Lambda [T offset, -z]^T: a linearisation error of the sensors moves the estimate, one of the outputs z
-/// the truth.
+/// [T offset, -z] Lambda [T offset, -z]^T: a linearisation error of the sensors moves the estimate, one of the outputs
+/// z the truth.
 Eigen::MatrixXd linearisation_covariance(const Eigen::MatrixXd& T, const ClosedLoop& loop, const LinearModel& model,
                                          bool auxiliary) {
   const Eigen::Index rows = T.rows(), m = model.C.rows(), r = model.F.rows();

@@ -45,8 +45,7 @@ Linearisation linearise(const engine::Turbofan& turbofan, const LineariseOptions
   model.operating_point = {options.flight.altitude_m, options.flight.mach, options.flight.delta_isa_k};
 
   Fleet fleet;
-  if (options.fleet > 0)
-    fleet = steady_fleet(turbofan, trim, options.noise.health_sigma, options.fleet, options.seed);
+  if (options.fleet > 0) fleet = steady_fleet(turbofan, trim, options.noise.health_sigma, options.fleet, options.seed);
   if (options.method == LineariseMethod::fleet) {
     if (options.fleet == 0) throw std::invalid_argument("linearise: the method fleet needs a fleet (--fleet above 0)");
     const FleetFit fit = fit_fleet(turbofan, trim, fleet, options.seed + 1);

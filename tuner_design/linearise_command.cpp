@@ -54,8 +54,7 @@ void linearise_to_file(const Arguments& arguments, std::ostream& out) {
   LineariseOptions options;
   options.flight = arguments.flight;
   options.demand = demand_of(arguments);
-  options.method =
-      arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::perturbation;
+  options.method = arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::perturbation;
   options.fleet = arguments.fleet;
   options.seed = arguments.seed;
   for (const std::string& text : arguments.health) {
@@ -105,8 +104,7 @@ void add_linearise_command(CLI::App& app, std::function<void(std::ostream&)>& ru
                    "perturbation: tangent at the trim engine; fleet: best fit over engines with the fleet's spread")
       ->check(CLI::IsMember({"perturbation", "fleet"}))
       ->capture_default_str();
-  command
-      ->add_option("--fleet", arguments->fleet, "Engines of the fleet that measure the linearisation error, 0: none")
+  command->add_option("--fleet", arguments->fleet, "Engines of the fleet that measure the linearisation error, 0: none")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   command->add_option("--seed", arguments->seed, "Of that fleet")->capture_default_str();

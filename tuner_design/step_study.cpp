@@ -30,7 +30,8 @@ Eigen::MatrixXd central_differences(const engine::Turbofan& turbofan, const engi
   Eigen::MatrixXd result(engine_outputs, engine_inputs);
   for (Eigen::Index j = 0; j < engine_inputs; ++j) {
     const Eigen::VectorXd delta = step * scale(j) * Eigen::VectorXd::Unit(engine_inputs, j);
-    result.col(j) = (evaluate(turbofan, trim, v + delta) - evaluate(turbofan, trim, v - delta)) / (2.0 * step * scale(j));
+    result.col(j) =
+        (evaluate(turbofan, trim, v + delta) - evaluate(turbofan, trim, v - delta)) / (2.0 * step * scale(j));
   }
   return result;
 }

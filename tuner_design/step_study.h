@@ -1,9 +1,10 @@
 #pragma once
-// Tangent of the nonlinear engine at a steady point by central differences (Endurthi thesis ch. 4, perturbation method):
+// Tangent of the nonlinear engine at a steady point by central differences (Endurthi thesis ch. 4, perturbation
+// method):
 //   df/dv_j = ( f(v + s e_j) - f(v - s e_j) ) / 2 s
-// The step is relative to trim for speeds and fuel, absolute for health, one for all columns: the truncation error falls
-// with s^2, the round-off error of the flow balance grows with 1/s, and the study takes the s between whose neighbours the
-// scaled derivatives change least.
+// The step is relative to trim for speeds and fuel, absolute for health, one for all columns: the truncation error
+// falls with s^2, the round-off error of the flow balance grows with 1/s, and the study takes the s between whose
+// neighbours the scaled derivatives change least.
 
 #include <vector>
 

@@ -13,7 +13,8 @@ namespace ehm::config {
 
 std::string flag_name(const std::string& key) {
   std::string name = "--" + key;
-  std::replace_if(name.begin(), name.end(), [](char c) { return c == '.' || c == '_'; }, '-');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '.' || c == '_'; }, '-');
   return name;
 }
 
@@ -104,7 +105,9 @@ void Schema::load(const std::string& file) {
     if (entry.flag_given) assign_text(entry, entry.flag_text, "flag " + flag_name(entry.key));
 }
 
-void Schema::load_file(const std::string& file) { load_table(file, "", parse_toml_file(file)); }
+void Schema::load_file(const std::string& file) {
+  load_table(file, "", parse_toml_file(file));
+}
 
 void Schema::load_table(const std::string& file, const std::string& prefix, const toml::table& table) {
   for (const auto& [name, node] : table) {
@@ -117,15 +120,15 @@ void Schema::load_table(const std::string& file, const std::string& prefix, cons
     }
     const auto tables = std::find_if(tables_.begin(), tables_.end(), [&](const Tables& t) { return t.key == key; });
     if (tables != tables_.end()) {
-      if (!node.is_array_of_tables()) throw ConfigError(origin + ": '" + key + "' must be tables, written [[" + key + "]]");
+      if (!node.is_array_of_tables())
+        throw ConfigError(origin + ": '" + key + "' must be tables, written [[" + key + "]]");
       tables->parse(file, *node.as_array());
       continue;
     }
     const std::string section = key + ".";
-    const bool is_section = std::any_of(entries_.begin(), entries_.end(),
-                                        [&](const Entry& e) { return e.key.starts_with(section); }) ||
-                            std::any_of(tables_.begin(), tables_.end(),
-                                        [&](const Tables& t) { return t.key.starts_with(section); });
+    const bool is_section =
+        std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.key.starts_with(section); }) ||
+        std::any_of(tables_.begin(), tables_.end(), [&](const Tables& t) { return t.key.starts_with(section); });
     if (is_section && node.is_table()) {
       load_table(file, section, *node.as_table());
       continue;
@@ -139,7 +142,8 @@ void Schema::load_table(const std::string& file, const std::string& prefix, cons
 
 void Schema::check(const Entry& entry, double number, const std::string& origin) {
   if (!(number >= entry.min && number <= entry.max))
-    throw ConfigError(origin + ": '" + entry.key + "' is " + number_text(number) + ", allowed is " + entry.allowed_text());
+    throw ConfigError(origin + ": '" + entry.key + "' is " + number_text(number) + ", allowed is " +
+                      entry.allowed_text());
 }
 
 void Schema::assign(Entry& entry, const toml::node& node, const std::string& origin) {

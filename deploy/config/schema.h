@@ -6,13 +6,13 @@
 //
 // @throws ConfigError with origin (file and line, variable or flag), key, value, allowed range.
 
+#include <toml++/toml.h>
 #include <CLI/App.hpp>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <toml++/toml.h>
 #include <variant>
 #include <vector>
 
@@ -28,8 +28,8 @@ class Schema {
   /// Each value already holds its default. Keys are "section.name" with words joined by '_'.
   void real(const std::string& key, double& value, double min, double max, const std::string& unit,
             const std::string& description);
-  void integer(const std::string& key, std::int64_t& value, std::int64_t min, std::int64_t max,
-               const std::string& unit, const std::string& description);
+  void integer(const std::string& key, std::int64_t& value, std::int64_t min, std::int64_t max, const std::string& unit,
+               const std::string& description);
   void text(const std::string& key, std::string& value, const std::string& description);
   void flag(const std::string& key, bool& value, const std::string& description);
   void choice(const std::string& key, std::string& value, const std::vector<std::string>& allowed,

@@ -3,8 +3,8 @@
 //
 // @throws ConfigError with file, line, key, value, allowed range.
 
-#include <string>
 #include <toml++/toml.h>
+#include <string>
 #include <vector>
 
 namespace ehm::config {

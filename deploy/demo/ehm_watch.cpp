@@ -36,8 +36,13 @@ struct Options {
 class Ears {
  public:
   Ears(wire::Participant& participant, const Options& options)
-      : engine_(options.engine), truth_(participant), health_(participant), auxiliary_(participant),
-        descriptions_(participant), status_(participant), events_(participant) {
+      : engine_(options.engine),
+        truth_(participant),
+        health_(participant),
+        auxiliary_(participant),
+        descriptions_(participant),
+        status_(participant),
+        events_(participant) {
     wait_set_.attach_condition(health_.condition());
   }
   /// `on_estimate` is called after every health estimate; the auxiliary one of the same sample is mostly there by then.
@@ -74,8 +79,8 @@ class Ears {
 
 constexpr double overtime_s = 2.0;
 
-/// Over when the time has passed and the monitor has accounted for the last sample of a simulator that ended then; if the
-/// flight goes on, when that is plain.
+/// Over when the time has passed and the monitor has accounted for the last sample of a simulator that ended then; if
+/// the flight goes on, when that is plain.
 bool over(const demo::WatchData& data, const Options& options) {
   if (options.seconds > 0.0 && data.flight_time_s() > options.seconds + overtime_s) return true;
   return options.seconds > 0.0 && data.flight_time_s() > options.seconds - 0.1 && data.accounted() &&
@@ -108,12 +113,17 @@ void watch(Ears& ears, demo::WatchData& data, const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Shows true and estimated health of one engine, live.\n" + std::string(service::exit_code_help)};
-  app.add_option("--domain,--dds-domain", options.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
+  app.add_option("--domain,--dds-domain", options.domain, "DDS domain")
+      ->check(CLI::Range(0, 232))
+      ->capture_default_str();
   app.add_option("--partition,--dds-partition", options.partition, "DDS partition");
-  app.add_option("--engine", options.engine, "engine_id to show")->check(CLI::Range(1u, 4294967295u))->capture_default_str();
-  app.add_option("--seconds", options.seconds, "judge the run after so much flight, at its end: 1 is returned when a "
-                                               "sample was lost or an estimate is outside 3 published sigmas; 0 watches "
-                                               "until Ctrl-C")
+  app.add_option("--engine", options.engine, "engine_id to show")
+      ->check(CLI::Range(1u, 4294967295u))
+      ->capture_default_str();
+  app.add_option("--seconds", options.seconds,
+                 "judge the run after so much flight, at its end: 1 is returned when a "
+                 "sample was lost or an estimate is outside 3 published sigmas; 0 watches "
+                 "until Ctrl-C")
       ->check(CLI::Range(0.0, 1e9));
   app.add_option("--timeout", options.timeout_s, "seconds beyond that after which it gives up")
       ->check(CLI::Range(0.0, 1e9))

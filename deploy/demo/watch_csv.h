@@ -1,5 +1,6 @@
 #pragma once
-// Every estimate beside its truth as CSV, for plots: time_s, then <name>_truth, <name>_estimate, <name>_sigma by channel.
+// Every estimate beside its truth as CSV, for plots: time_s, then <name>_truth, <name>_estimate, <name>_sigma by
+// channel.
 
 #include <fstream>
 #include <string>

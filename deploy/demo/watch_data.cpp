@@ -13,8 +13,7 @@ double Row::deviation() const {
 }
 
 void WatchData::hear(const EngineTruth& truth) {
-  if (!first_time_ns_)
-    first_time_ns_ = truth.source_time_ns();
+  if (!first_time_ns_) first_time_ns_ = truth.source_time_ns();
   recent_truth_[truth.sequence_number() % recent_truth_.size()] = truth;
   last_truth_ = truth;
 }
@@ -25,13 +24,17 @@ void WatchData::hear(const EngineHealth& health) {
   latency_.record(1e-3 * static_cast<double>(health.publish_time_ns() - health.source_time_ns()));
 }
 
-void WatchData::hear(const EngineAuxiliary& auxiliary) { auxiliary_ = auxiliary; }
+void WatchData::hear(const EngineAuxiliary& auxiliary) {
+  auxiliary_ = auxiliary;
+}
 
 void WatchData::hear(const EngineDescription& description) {
   if (description.role() == static_cast<std::uint32_t>(wire::DescriptionRole::monitor)) description_ = description;
 }
 
-void WatchData::hear(const MonitorStatus& status) { status_ = status; }
+void WatchData::hear(const MonitorStatus& status) {
+  status_ = status;
+}
 
 void WatchData::hear(const HealthEvent& event) {
   const double time_s = first_time_ns_ ? 1e-9 * static_cast<double>(event.source_time_ns() - *first_time_ns_) : 0.0;

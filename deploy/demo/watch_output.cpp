@@ -17,7 +17,9 @@ struct Shown {
   double factor;
   std::string unit;
 };
-Shown shown(const std::string& unit) { return unit == "fraction" ? Shown{100.0, "%"} : Shown{1.0, unit}; }
+Shown shown(const std::string& unit) {
+  return unit == "fraction" ? Shown{100.0, "%"} : Shown{1.0, unit};
+}
 
 std::string row_text(const Row& row) {
   const auto [factor, unit] = shown(row.unit);
@@ -37,8 +39,7 @@ std::string counts_text(const WatchData& data) {
   const auto& status = data.status();
   return fmt::format("rate {:.1f}/s  latency p50 {:.0f} us, p99 {:.0f} us, max {:.0f} us  estimates {}  lost {}",
                      status ? status->rate_hz() : 0.0, data.latency().percentile_us(0.5),
-                     data.latency().percentile_us(0.99), data.latency().max_us(), data.estimates(),
-                     data.lost());
+                     data.latency().percentile_us(0.99), data.latency().max_us(), data.estimates(), data.lost());
 }
 
 std::string event_text(const EventLine& event) {
@@ -96,12 +97,19 @@ std::string json(const WatchData& data) {
     j["health"].push_back({{"name", row.name}, {"truth", row.truth}, {"estimate", row.estimate}, {"sigma", row.sigma}});
   j["auxiliary"] = nlohmann::ordered_json::array();
   for (const auto& row : data.auxiliary())
-    j["auxiliary"].push_back({{"name", row.name}, {"unit", row.unit}, {"truth", row.truth},
-                              {"estimate", row.estimate}, {"sigma", row.sigma}});
+    j["auxiliary"].push_back({{"name", row.name},
+                              {"unit", row.unit},
+                              {"truth", row.truth},
+                              {"estimate", row.estimate},
+                              {"sigma", row.sigma}});
   j["events"] = nlohmann::ordered_json::array();
   for (const auto& event : data.events())
-    j["events"].push_back({{"time_s", event.time_s}, {"kind", event.kind}, {"raised", event.raised},
-                           {"channel", event.channel}, {"value", event.value}, {"message", event.message}});
+    j["events"].push_back({{"time_s", event.time_s},
+                           {"kind", event.kind},
+                           {"raised", event.raised},
+                           {"channel", event.channel},
+                           {"value", event.value},
+                           {"message", event.message}});
   return j.dump(2) + "\n";
 }
 

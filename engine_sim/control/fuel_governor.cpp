@@ -13,9 +13,9 @@ double FuelGovernor::update(double n1_demand_rpm, double n1_rpm, double dt_s) {
       fuel_scale_kg_s_ * (options_.proportional * (error - last_error_) + options_.integral_per_s * error * dt_s);
   last_error_ = error;
   const double slew = options_.slew_per_s * fuel_scale_kg_s_ * dt_s;
-  fuel_flow_kg_s_ = std::clamp(fuel_flow_kg_s_ + std::clamp(wanted, -slew, slew),
-                               options_.fuel_min_of_trim * fuel_scale_kg_s_,
-                               options_.fuel_max_of_trim * fuel_scale_kg_s_);
+  fuel_flow_kg_s_ =
+      std::clamp(fuel_flow_kg_s_ + std::clamp(wanted, -slew, slew), options_.fuel_min_of_trim * fuel_scale_kg_s_,
+                 options_.fuel_max_of_trim * fuel_scale_kg_s_);
   return fuel_flow_kg_s_;
 }
 

@@ -11,11 +11,11 @@
 namespace ehm::engine {
 
 struct GovernorOptions {
-  double proportional = 2.0;            ///< relative fuel per relative speed error
-  double integral_per_s = 2.0;          ///< relative fuel per relative speed error and second
-  double slew_per_s = 0.3;              ///< of trim fuel flow per second
-  double fuel_min_of_trim = 0.15;       ///< flame-out side
-  double fuel_max_of_trim = 1.25;       ///< T40 side
+  double proportional = 2.0;       ///< relative fuel per relative speed error
+  double integral_per_s = 2.0;     ///< relative fuel per relative speed error and second
+  double slew_per_s = 0.3;         ///< of trim fuel flow per second
+  double fuel_min_of_trim = 0.15;  ///< flame-out side
+  double fuel_max_of_trim = 1.25;  ///< T40 side
 };
 
 class FuelGovernor {

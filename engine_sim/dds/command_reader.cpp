@@ -49,10 +49,14 @@ void apply(const SimCommand& c, Simulation& s) {
       require("value[2] (delta_isa_k)", c.value()[2], -60, 60);
       if (const FlightCondition flight{c.value()[0], c.value()[1], c.value()[2]}; s.can_fly(flight))
         return s.fly(flight);
-      throw std::invalid_argument("the engine cannot run there at its present demand; change the demand first, or in steps");
-    case SimCommandKind::set_health: return change_health(c, s, false);
-    case SimCommandKind::add_health: return change_health(c, s, true);
-    case SimCommandKind::sensor_fault: return inject_fault(c, s);
+      throw std::invalid_argument(
+          "the engine cannot run there at its present demand; change the demand first, or in steps");
+    case SimCommandKind::set_health:
+      return change_health(c, s, false);
+    case SimCommandKind::add_health:
+      return change_health(c, s, true);
+    case SimCommandKind::sensor_fault:
+      return inject_fault(c, s);
     case SimCommandKind::clear_faults:
       for (std::size_t i = 0; i < sensor_count; ++i) s.inject(i, {});
       return;
@@ -66,7 +70,8 @@ void CommandReader::apply_all(Simulation& simulation, const std::function<void(c
     if (command.engine_id() != engine_id_) continue;
     try {
       apply(command, simulation);
-      say("command " + std::to_string(command.kind()) + " applied at " + config::number_text(simulation.time_s()) + " s");
+      say("command " + std::to_string(command.kind()) + " applied at " + config::number_text(simulation.time_s()) +
+          " s");
     } catch (const std::invalid_argument& e) {
       say(std::string("command refused: ") + e.what());
     }

@@ -1,7 +1,7 @@
 #pragma once
-// Rate max: the simulator runs at most `window` samples ahead of the monitor's answers, so that keep-last loses nothing.
-// A window that is never answered (a monitor died and came back, samples were refused) is given up after a second while
-// somebody still answers: the monitor counts what it lost.
+// Rate max: the simulator runs at most `window` samples ahead of the monitor's answers, so that keep-last loses
+// nothing. A window that is never answered (a monitor died and came back, samples were refused) is given up after a
+// second while somebody still answers: the monitor counts what it lost.
 
 #include <chrono>
 #include <cstdint>

@@ -9,7 +9,8 @@ namespace ehm::engine {
 
 namespace {
 
-static_assert(sensor_count <= EHM_MAX_SENSORS && health_count <= EHM_MAX_HEALTH && auxiliary_count <= EHM_MAX_AUXILIARY);
+static_assert(sensor_count <= EHM_MAX_SENSORS && health_count <= EHM_MAX_HEALTH &&
+              auxiliary_count <= EHM_MAX_AUXILIARY);
 
 ChannelDescription channel(std::string_view name, std::string_view unit, double trim, double sigma) {
   ChannelDescription description;

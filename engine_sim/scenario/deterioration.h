@@ -14,8 +14,8 @@ class Deterioration {
  public:
   explicit Deterioration(const Scenario& scenario) : wear_(scenario.wear), changes_(scenario.health_changes) {}
 
-  /// An operator's order: from now on the parameter moves to `target` within ramp_s, whatever was on its way; its drift and
-  /// what is scheduled for later go on.
+  /// An operator's order: from now on the parameter moves to `target` within ramp_s, whatever was on its way; its drift
+  /// and what is scheduled for later go on.
   void order(std::size_t parameter, double target, double ramp_s, double now_s);
   HealthVector at(double time_s) const;
 

@@ -29,8 +29,7 @@ ProfilePoint FlightProfile::at(double time_s) const {
   } else {
     const ProfilePoint &a = *(after - 1), &b = *after;
     const double s = (time_s - a.time_s) / (b.time_s - a.time_s);
-    point.flight = {std::lerp(a.flight.altitude_m, b.flight.altitude_m, s),
-                    std::lerp(a.flight.mach, b.flight.mach, s),
+    point.flight = {std::lerp(a.flight.altitude_m, b.flight.altitude_m, s), std::lerp(a.flight.mach, b.flight.mach, s),
                     std::lerp(a.flight.delta_isa_k, b.flight.delta_isa_k, s)};
     point.n1_rpm = std::lerp(a.n1_rpm, b.n1_rpm, s);
   }

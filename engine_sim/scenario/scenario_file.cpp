@@ -46,7 +46,8 @@ void declare_tables(Schema& schema, Scenario& s) {
   static const auto health = list_of(health_names);
   static const auto sensors = list_of(sensor_names);
   static const std::vector<std::string> kinds{"bias", "drift", "stuck", "dropout", "noise"};
-  schema.tables("profile", "flight and fan speed over time: time_s, n1_rpm, and optionally altitude_m, mach, delta_isa_k",
+  schema.tables("profile",
+                "flight and fan speed over time: time_s, n1_rpm, and optionally altitude_m, mach, delta_isa_k",
                 [&s](const std::string& file, const toml::array& array) {
                   for_each_table(file, "profile", array, [&](TableReader& t) {
                     const FlightCondition before = s.profile.empty() ? s.flight : s.profile.back().flight;
@@ -57,7 +58,8 @@ void declare_tables(Schema& schema, Scenario& s) {
                                          t.real("n1_rpm", 500, 5000)});
                   });
                 });
-  schema.tables("wear", "wear at the start and its drift: parameter, initial, drift_per_hour (fractions, negative is lost)",
+  schema.tables("wear",
+                "wear at the start and its drift: parameter, initial, drift_per_hour (fractions, negative is lost)",
                 [&s](const std::string& file, const toml::array& array) {
                   for_each_table(file, "wear", array, [&](TableReader& t) {
                     Wear& wear = s.wear[index_in(health, t.choice("parameter", health))];
@@ -68,13 +70,14 @@ void declare_tables(Schema& schema, Scenario& s) {
   schema.tables("health_change", "a change of health in flight: time_s, parameter, change, ramp_s",
                 [&s](const std::string& file, const toml::array& array) {
                   for_each_table(file, "health_change", array, [&](TableReader& t) {
-                    s.health_changes.push_back({t.real("time_s", 0, far_future_s),
-                                                index_in(health, t.choice("parameter", health)),
-                                                t.real("change", health_min, health_max),
-                                                t.real_or("ramp_s", 0.0, 0, far_future_s)});
+                    s.health_changes.push_back(
+                        {t.real("time_s", 0, far_future_s), index_in(health, t.choice("parameter", health)),
+                         t.real("change", health_min, health_max), t.real_or("ramp_s", 0.0, 0, far_future_s)});
                   });
                 });
-  schema.tables("sensor_fault", "a sensor fault: time_s, sensor, kind, magnitude (sensor's unit, per second for drift, factor for noise), duration_s (0: for good)",
+  schema.tables("sensor_fault",
+                "a sensor fault: time_s, sensor, kind, magnitude (sensor's unit, per second for drift, factor for "
+                "noise), duration_s (0: for good)",
                 [&s](const std::string& file, const toml::array& array) {
                   for_each_table(file, "sensor_fault", array, [&](TableReader& t) {
                     ScheduledFault f;
@@ -91,15 +94,21 @@ void declare_tables(Schema& schema, Scenario& s) {
 void declare_sensors_and_control(Schema& schema, Scenario& s) {
   auto& n = s.sensors;
   schema.real("sensors.noise_speed_percent", n.noise_speed_percent, 0, 20, "percent", "noise of the speeds, of trim");
-  schema.real("sensors.noise_pressure_percent", n.noise_pressure_percent, 0, 20, "percent", "noise of the pressures, of trim");
-  schema.real("sensors.noise_temperature_percent", n.noise_temperature_percent, 0, 20, "percent", "noise of the temperatures, of trim");
+  schema.real("sensors.noise_pressure_percent", n.noise_pressure_percent, 0, 20, "percent",
+              "noise of the pressures, of trim");
+  schema.real("sensors.noise_temperature_percent", n.noise_temperature_percent, 0, 20, "percent",
+              "noise of the temperatures, of trim");
   schema.real("sensors.lag_speed_s", n.lag_speed_s, 0, 10, "s", "first-order lag of the speeds (AGTF30: 0.02)");
-  schema.real("sensors.lag_pressure_s", n.lag_pressure_s, 0, 10, "s", "first-order lag of the pressures (AGTF30: 0.04)");
-  schema.real("sensors.lag_temperature_s", n.lag_temperature_s, 0, 10, "s", "first-order lag of the temperatures (AGTF30: 0.7)");
-  schema.real("sensors.quantisation_percent", n.quantisation_percent, 0, 5, "percent", "smallest step of a reading, of trim");
+  schema.real("sensors.lag_pressure_s", n.lag_pressure_s, 0, 10, "s",
+              "first-order lag of the pressures (AGTF30: 0.04)");
+  schema.real("sensors.lag_temperature_s", n.lag_temperature_s, 0, 10, "s",
+              "first-order lag of the temperatures (AGTF30: 0.7)");
+  schema.real("sensors.quantisation_percent", n.quantisation_percent, 0, 5, "percent",
+              "smallest step of a reading, of trim");
   auto& g = s.governor;
   schema.real("governor.proportional", g.proportional, 0, 100, "", "relative fuel per relative fan speed error");
-  schema.real("governor.integral_per_s", g.integral_per_s, 0, 100, "1/s", "relative fuel per relative fan speed error and second");
+  schema.real("governor.integral_per_s", g.integral_per_s, 0, 100, "1/s",
+              "relative fuel per relative fan speed error and second");
   schema.real("governor.slew_per_s", g.slew_per_s, 0.001, 10, "1/s", "fastest change of fuel flow, of its trim");
   schema.real("governor.fuel_min_of_trim", g.fuel_min_of_trim, 0.05, 1, "", "least fuel flow, of its trim");
   schema.real("governor.fuel_max_of_trim", g.fuel_max_of_trim, 1, 2, "", "largest fuel flow, of its trim");
@@ -110,18 +119,26 @@ void declare_sensors_and_control(Schema& schema, Scenario& s) {
 void declare(Schema& schema, SimConfig& c) {
   Scenario& s = c.scenario;
   schema.integer("engine.id", s.engine_id, 1, 4294967295, "", "key of this engine on the wire");
-  schema.integer("engine.source_id", s.source_id, 1, 4294967295, "", "who measures: identifies this source on the wire");
+  schema.integer("engine.source_id", s.source_id, 1, 4294967295, "",
+                 "who measures: identifies this source on the wire");
   schema.real("run.sample_time_s", s.sample_time_s, 0.001, 1, "s", "time between samples");
   schema.real("run.duration_s", s.duration_s, 0, far_future_s, "s", "simulated time to fly; 0: until stopped");
-  schema.integer("run.seed", s.seed, 0, 9007199254740992, "", "of the sensor noise; the same seed gives the same readings");
-  schema.text("run.rate", c.rate, "times real time, 0.01 to 1000, or max: as fast as a monitor answers, losing nothing");
-  schema.integer("run.lockstep_window", c.lockstep_window, 1, 128, "samples", "how many samples may be unanswered at rate max");
-  schema.integer("run.wait_for_monitors", c.wait_for_monitors, 0, 64, "", "start the flight when so many readers of EngineSensors have matched");
+  schema.integer("run.seed", s.seed, 0, 9007199254740992, "",
+                 "of the sensor noise; the same seed gives the same readings");
+  schema.text("run.rate", c.rate,
+              "times real time, 0.01 to 1000, or max: as fast as a monitor answers, losing nothing");
+  schema.integer("run.lockstep_window", c.lockstep_window, 1, 128, "samples",
+                 "how many samples may be unanswered at rate max");
+  schema.integer("run.wait_for_monitors", c.wait_for_monitors, 0, 64, "",
+                 "start the flight when so many readers of EngineSensors have matched");
   schema.real("flight.altitude_m", s.flight.altitude_m, -500, 15000, "m", "pressure altitude at the start");
   schema.real("flight.mach", s.flight.mach, 0, 0.95, "", "flight Mach number at the start");
-  schema.real("flight.delta_isa_k", s.flight.delta_isa_k, -60, 60, "K", "ambient temperature above the standard atmosphere");
-  schema.choice("demand.kind", c.demand_kind, {"t40_k", "n1_rpm", "net_thrust_n", "fuel_flow_kg_s"}, "what demand.value is, for the new engine");
-  schema.real("demand.value", s.demand.value, 0, 1e6, "by kind", "demand at the start; the governor holds the fan speed that it gives");
+  schema.real("flight.delta_isa_k", s.flight.delta_isa_k, -60, 60, "K",
+              "ambient temperature above the standard atmosphere");
+  schema.choice("demand.kind", c.demand_kind, {"t40_k", "n1_rpm", "net_thrust_n", "fuel_flow_kg_s"},
+                "what demand.value is, for the new engine");
+  schema.real("demand.value", s.demand.value, 0, 1e6, "by kind",
+              "demand at the start; the governor holds the fan speed that it gives");
   declare_sensors_and_control(schema, s);
   schema.integer("dds.domain", c.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", c.partition, "DDS partition, fleet/<group>; empty is the default partition");

@@ -15,14 +15,22 @@ Reading Sensor::read(double truth, double time_s, double dt_s, NoiseSource& nois
   const double deviate = noise.normal();
   if (fault_.active(time_s)) {
     switch (fault_.kind) {
-      case FaultKind::bias: value += fault_.magnitude; break;
-      case FaultKind::drift: value += fault_.magnitude * (time_s - fault_.start_s); break;
-      case FaultKind::noise: sigma *= fault_.magnitude; break;
-      case FaultKind::dropout: return {std::numeric_limits<double>::quiet_NaN(), false};
+      case FaultKind::bias:
+        value += fault_.magnitude;
+        break;
+      case FaultKind::drift:
+        value += fault_.magnitude * (time_s - fault_.start_s);
+        break;
+      case FaultKind::noise:
+        sigma *= fault_.magnitude;
+        break;
+      case FaultKind::dropout:
+        return {std::numeric_limits<double>::quiet_NaN(), false};
       case FaultKind::stuck:
         if (delivered_) return {*delivered_, true};
         break;
-      case FaultKind::none: break;
+      case FaultKind::none:
+        break;
     }
   }
   value += sigma * deviate;

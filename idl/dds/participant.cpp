@@ -1,7 +1,7 @@
 #include "idl/dds/participant.h"
 
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 
 #include <array>
 
@@ -60,7 +60,8 @@ Participant::Participant(ParticipantOptions options) : options_(std::move(option
   }
   publisher_ = participant_->create_publisher(publisher_qos);
   subscriber_ = participant_->create_subscriber(subscriber_qos);
-  if (!publisher_ || !subscriber_) throw DdsError("no DDS publisher or subscriber in partition '" + options_.partition + "'");
+  if (!publisher_ || !subscriber_)
+    throw DdsError("no DDS publisher or subscriber in partition '" + options_.partition + "'");
 }
 
 Participant::~Participant() {
@@ -80,11 +81,11 @@ dds::Topic* Participant::topic(const char* name, dds::TypeSupport type) {
 void Participant::report_incompatible(const std::string& topic, const char* side, std::uint32_t policy) const {
   // The policies that this project's users get wrong; ids of the DDS specification, table 2.2.3.
   static constexpr std::array<std::pair<std::uint32_t, const char*>, 6> names{{{2, "durability"},
-                                                                                {4, "deadline"},
-                                                                                {6, "ownership"},
-                                                                                {8, "liveliness"},
-                                                                                {11, "reliability"},
-                                                                                {23, "data representation"}}};
+                                                                               {4, "deadline"},
+                                                                               {6, "ownership"},
+                                                                               {8, "liveliness"},
+                                                                               {11, "reliability"},
+                                                                               {23, "data representation"}}};
   std::string policy_name = "policy " + std::to_string(policy);
   for (const auto& [id, known] : names)
     if (id == policy) policy_name = known;

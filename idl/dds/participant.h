@@ -2,8 +2,8 @@
 // A DDS participant of this project and its endpoints, as owners: what is created is deleted, in the right order.
 //
 // The built-in profile is UDP on the loopback and network interfaces without shared memory (DESIGN.md, "DDS: what was
-// measured"): it re-matches in under 0.1 s after a crash and works between users. Another transport, discovery server or
-// security comes from a Fast DDS XML file.
+// measured"): it re-matches in under 0.1 s after a crash and works between users. Another transport, discovery server
+// or security comes from a Fast DDS XML file.
 //
 // @throws DdsError naming the file, profile, topic or entity that could not be had.
 

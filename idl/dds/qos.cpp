@@ -10,7 +10,9 @@ namespace {
 constexpr int command_depth = 1000;
 constexpr int state_depth = 16;  // the last changes of a condition, for who joins late
 
-Duration_t seconds(double s) { return Duration_t(static_cast<long double>(s)); }
+Duration_t seconds(double s) {
+  return Duration_t(static_cast<long double>(s));
+}
 
 /// The policies that a writer and a reader share.
 template <class Qos>

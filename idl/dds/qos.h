@@ -1,8 +1,8 @@
 #pragma once
 // The project's delivery classes as DDS policies, one place for both services, the demo and the examples.
 //
-// Streams are reliable and keep last; a reader that falls further behind than the depth loses the oldest, and sees it by
-// the gap in sequence_number. Ownership is shared unless redundancy is asked for (DESIGN.md, "The wire").
+// Streams are reliable and keep last; a reader that falls further behind than the depth loses the oldest, and sees it
+// by the gap in sequence_number. Ownership is shared unless redundancy is asked for (DESIGN.md, "The wire").
 
 #include <cstdint>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
@@ -14,14 +14,15 @@ namespace ehm::wire {
 
 /// How the estimates of several monitors for one engine are told apart.
 struct Redundancy {
-  bool exclusive = false;      ///< exclusive ownership on the estimate topics: readers see the strongest live monitor only
+  bool exclusive = false;  ///< exclusive ownership on the estimate topics: readers see the strongest live monitor only
   std::uint32_t strength = 1;  ///< of this monitor; the higher wins
 };
 
 inline constexpr int stream_depth = 256;           ///< samples kept a key: 3.8 s at 15 ms
 inline constexpr double offered_deadline_s = 0.1;  ///< readers may ask for this or longer
 inline constexpr double offered_lease_s = 1.0;     ///< liveliness, automatic
-inline constexpr double redundant_lease_s = 0.06;  ///< in the redundant profile (61-68 ms take-over measured, DESIGN.md)
+inline constexpr double redundant_lease_s =
+    0.06;  ///< in the redundant profile (61-68 ms take-over measured, DESIGN.md)
 
 eprosima::fastdds::dds::DataWriterQos writer_qos(Delivery delivery, bool estimate, const Redundancy& redundancy);
 eprosima::fastdds::dds::DataReaderQos reader_qos(Delivery delivery, bool estimate, const Redundancy& redundancy);

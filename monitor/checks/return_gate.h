@@ -1,8 +1,8 @@
 #pragma once
 // May an excluded sensor come back? Its value must fit what the filter predicts without it.
 //
-// The prediction without the sensor is biased by what only that sensor saw, so a fault of ten noise sigmas could hide in
-// it. But at the moment of exclusion the full filter still predicted the sensor well: that offset is kept,
+// The prediction without the sensor is biased by what only that sensor saw, so a fault of ten noise sigmas could hide
+// in it. But at the moment of exclusion the full filter still predicted the sensor well: that offset is kept,
 //   offset = (C xhat)_full,i - (C xhat)_without,i,      nu_return = nu_i - offset,
 // and its variance grows from the full filter's innovation variance to the biased one over an hour, the time in which
 // wear may have moved. A health shift in between makes the offset worthless, and so does a filter that

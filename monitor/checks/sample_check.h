@@ -7,7 +7,8 @@
 //   restarted      the source started anew, time stepped back, or jumped ahead by more than restart_gap_s: the filter
 //                  restarts here
 //   duplicate, reordered (overtaken on the way), malformed: dropped and counted
-//   foreign        from another source than the one that this engine follows: dropped and counted. The source is the first
+//   foreign        from another source than the one that this engine follows: dropped and counted. The source is the
+//   first
 //                  that spoke; another may take over once it has been silent (release_source).
 //
 // Real-time safe: yes.
@@ -23,10 +24,10 @@ enum class SampleVerdict { first, accepted, restarted, duplicate, reordered, mal
 
 struct SampleDecision {
   SampleVerdict verdict = SampleVerdict::malformed;
-  int steps = 1;            ///< filter predictions to make; more than 1 after a loss
-  std::uint64_t lost = 0;   ///< samples missing before this one
-  double jump_s = 0.0;      ///< why restarted
-  double dt_s = 0.0;        ///< source time since the last accepted sample; 0 after a start
+  int steps = 1;           ///< filter predictions to make; more than 1 after a loss
+  std::uint64_t lost = 0;  ///< samples missing before this one
+  double jump_s = 0.0;     ///< why restarted
+  double dt_s = 0.0;       ///< source time since the last accepted sample; 0 after a start
 };
 
 class SampleCheck {

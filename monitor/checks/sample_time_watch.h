@@ -1,7 +1,7 @@
 #pragma once
-// Does the source keep the design's sample time? Over blocks of 64 samples the mean of dt / steps, by the source's clock,
-// must lie within 10 % of it; a single late sample does not matter, a source of another rate does: every time constant of
-// the filter would be wrong. Outside, estimates are withheld. Real-time safe: yes.
+// Does the source keep the design's sample time? Over blocks of 64 samples the mean of dt / steps, by the source's
+// clock, must lie within 10 % of it; a single late sample does not matter, a source of another rate does: every time
+// constant of the filter would be wrong. Outside, estimates are withheld. Real-time safe: yes.
 
 #include <cmath>
 #include <cstdint>

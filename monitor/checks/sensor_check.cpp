@@ -28,7 +28,8 @@ std::uint32_t SensorCheck::reasons(const Sample& sample, int sensor, int steps) 
   std::uint32_t reasons = 0;
   if (std::abs(value - trim_[i]) > options_.range_percent * percent_[i]) reasons |= reason::range;
   if (memory.has_last) {
-    if (std::abs(value - memory.last) > options_.rate_percent * percent_[i] * std::max(1, steps)) reasons |= reason::rate;
+    if (std::abs(value - memory.last) > options_.rate_percent * percent_[i] * std::max(1, steps))
+      reasons |= reason::rate;
     memory.equal = value == memory.last ? memory.equal + 1 : 0;
     if (memory.equal + 1 >= options_.stuck_samples) reasons |= reason::stuck;
   }
@@ -37,6 +38,8 @@ std::uint32_t SensorCheck::reasons(const Sample& sample, int sensor, int steps) 
   return reasons;
 }
 
-void SensorCheck::reset() noexcept { std::fill(memory_.begin(), memory_.end(), Memory{}); }
+void SensorCheck::reset() noexcept {
+  std::fill(memory_.begin(), memory_.end(), Memory{});
+}
 
 }  // namespace ehm::monitor

@@ -12,7 +12,9 @@ static_assert(estimation::max_sensors == EHM_MAX_SENSORS && estimation::max_heal
 
 namespace {
 
-std::uint32_t bits(const estimation::SensorMask& mask) noexcept { return static_cast<std::uint32_t>(mask.to_ulong()); }
+std::uint32_t bits(const estimation::SensorMask& mask) noexcept {
+  return static_cast<std::uint32_t>(mask.to_ulong());
+}
 
 template <class Vector, class Array>
 void copy(const Vector& from, Array& to) noexcept {

@@ -8,11 +8,15 @@ namespace {
 
 const estimation::Channel* channel_of(const Event& e, const estimation::LinearModel& model) {
   switch (e.kind) {
-    case wire::EventKind::sensor_fault: return &model.sensors.at(e.channel);
+    case wire::EventKind::sensor_fault:
+      return &model.sensors.at(e.channel);
     case wire::EventKind::health_shift:
-    case wire::EventKind::health_limit: return &model.health.at(e.channel);
-    case wire::EventKind::auxiliary_limit: return &model.auxiliary.at(e.channel);
-    default: return nullptr;
+    case wire::EventKind::health_limit:
+      return &model.health.at(e.channel);
+    case wire::EventKind::auxiliary_limit:
+      return &model.auxiliary.at(e.channel);
+    default:
+      return nullptr;
   }
 }
 
@@ -44,7 +48,8 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, reasons(e.detail))
                       : fmt::format("sensor {} is good again and used", c->name);
     case wire::EventKind::health_shift:
-      return e.raised ? fmt::format("{} changed by {:+.4f} {} (noticeable from {:.4f})", c->name, e.value, c->unit, e.threshold)
+      return e.raised ? fmt::format("{} changed by {:+.4f} {} (noticeable from {:.4f})", c->name, e.value, c->unit,
+                                    e.threshold)
                       : fmt::format("{} has settled after its change", c->name);
     case wire::EventKind::health_limit:
     case wire::EventKind::auxiliary_limit:
@@ -55,16 +60,24 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
     case wire::EventKind::filter_restart:
       return fmt::format("the filter started anew (the source's time or sequence jumped by {:.3f} s)", e.value);
     case wire::EventKind::operating_point:
-      return e.raised ? fmt::format("the engine flies {:.2f} times farther from the design's point than it is valid: estimates are withheld", e.value)
+      return e.raised ? fmt::format(
+                            "the engine flies {:.2f} times farther from the design's point than it is valid: estimates "
+                            "are withheld",
+                            e.value)
                       : "the engine is back at the design's point, the filter starts anew";
     case wire::EventKind::no_design:
-      return e.raised ? fmt::format("{:.0f} sensors are faulty and no design flies without them: estimates are withheld", e.value)
-                      : "enough sensors are good again";
+      return e.raised
+                 ? fmt::format("{:.0f} sensors are faulty and no design flies without them: estimates are withheld",
+                               e.value)
+                 : "enough sensors are good again";
     case wire::EventKind::sample_time:
-      return e.raised ? fmt::format("samples come every {:.4g} s, the design is made for {:.4g} s: estimates are withheld", e.value, e.threshold)
-                      : "samples come in the design's time again, the filter starts anew";
+      return e.raised
+                 ? fmt::format("samples come every {:.4g} s, the design is made for {:.4g} s: estimates are withheld",
+                               e.value, e.threshold)
+                 : "samples come in the design's time again, the filter starts anew";
     case wire::EventKind::second_source:
-      return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value, e.threshold)
+      return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to",
+                                    e.value, e.threshold)
                       : "the source has fallen silent, another may take over";
   }
   return "unknown event";

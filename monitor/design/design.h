@@ -36,12 +36,12 @@ struct SubsetDesign {
   Eigen::MatrixXd C;         ///< m x (n+t), Cxq, a row for every sensor of the model
   Eigen::MatrixXd K;         ///< (n+t) x m, Kinf, zero columns for sensors that are not used
   Eigen::MatrixXd P;         ///< (n+t) x (n+t), predicted covariance, solves the Riccati equation
-  Eigen::MatrixXd health_total_covariance, auxiliary_total_covariance;    ///< G Ph G^T + T S T^T + linearisation
+  Eigen::MatrixXd health_total_covariance, auxiliary_total_covariance;  ///< G Ph G^T + T S T^T + linearisation
   Eigen::MatrixXd health_linearisation_covariance, auxiliary_linearisation_covariance;  ///< part of the total
-  Eigen::MatrixXd health_filter_covariance, auxiliary_filter_covariance;  ///< T P_updated T^T
-  Eigen::MatrixXd health_noise_covariance, auxiliary_noise_covariance;    ///< T S T^T
-  Eigen::VectorXd innovation_variance;                                    ///< m, percent^2
-  double slowest_time_constant_s = 0.0;                                   ///< of the closed loop
+  Eigen::MatrixXd health_filter_covariance, auxiliary_filter_covariance;                ///< T P_updated T^T
+  Eigen::MatrixXd health_noise_covariance, auxiliary_noise_covariance;                  ///< T S T^T
+  Eigen::VectorXd innovation_variance;                                                  ///< m, percent^2
+  double slowest_time_constant_s = 0.0;                                                 ///< of the closed loop
 };
 
 /// Expected squared error by channel: health in percent^2, auxiliary in reporting units^2.

@@ -55,7 +55,8 @@ std::string shown(double value) {
 Json parse_json_file(const std::string& file) {
   std::error_code error_code;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, error_code)) throw FileError(file + ": cannot be opened. Check the path and the permissions.");
+  if (!stream || std::filesystem::is_directory(file, error_code))
+    throw FileError(file + ": cannot be opened. Check the path and the permissions.");
   std::vector<std::set<std::string>> open_objects;
   std::string repeated;
   const auto note_keys = [&](int, Json::parse_event_t event, Json& parsed) {

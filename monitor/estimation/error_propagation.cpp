@@ -4,7 +4,9 @@
 
 namespace ehm::estimation {
 
-ErrorPropagation::ErrorPropagation(const ErrorModel& model) : model_(&model) { reset(model); }
+ErrorPropagation::ErrorPropagation(const ErrorModel& model) : model_(&model) {
+  reset(model);
+}
 
 void ErrorPropagation::reset(const ErrorModel& model) noexcept {
   model_ = &model;

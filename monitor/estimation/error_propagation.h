@@ -26,20 +26,20 @@ inline constexpr int max_unknowns = max_health + max_sensors + max_auxiliary;
 
 /// Constants of one sensor set; scaled units except for the two scales.
 struct ErrorModel {
-  BoundedMatrix<max_augmented, max_augmented> closed_loop;      ///< Acl
-  BoundedMatrix<max_augmented, max_unknowns> drive;             ///< K Gy
-  BoundedMatrix<max_augmented, max_augmented> noise;            ///< K R K^T
-  BoundedMatrix<max_health, max_augmented> health_output;       ///< Th
-  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_output; ///< Tz
-  BoundedMatrix<max_sensors, max_augmented> prediction;         ///< C A, every sensor
-  BoundedMatrix<max_health, max_unknowns> health_truth;         ///< Gh
-  BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_truth;   ///< Gz
-  BoundedMatrix<max_sensors, max_unknowns> sensor_truth;        ///< Gy, every sensor
-  SensorVector sensor_noise_variance;                           ///< diagonal of R
-  HealthVector health_scale;                                    ///< channel units per scaled unit
+  BoundedMatrix<max_augmented, max_augmented> closed_loop;       ///< Acl
+  BoundedMatrix<max_augmented, max_unknowns> drive;              ///< K Gy
+  BoundedMatrix<max_augmented, max_augmented> noise;             ///< K R K^T
+  BoundedMatrix<max_health, max_augmented> health_output;        ///< Th
+  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_output;  ///< Tz
+  BoundedMatrix<max_sensors, max_augmented> prediction;          ///< C A, every sensor
+  BoundedMatrix<max_health, max_unknowns> health_truth;          ///< Gh
+  BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_truth;    ///< Gz
+  BoundedMatrix<max_sensors, max_unknowns> sensor_truth;         ///< Gy, every sensor
+  SensorVector sensor_noise_variance;                            ///< diagonal of R
+  HealthVector health_scale;                                     ///< channel units per scaled unit
   AuxiliaryVector auxiliary_scale;
   SensorVector sensor_scale;
-  int settling_samples = 0;                                     ///< seven of the slowest time constants: 0.1 % is left
+  int settling_samples = 0;  ///< seven of the slowest time constants: 0.1 % is left
 };
 
 class ErrorPropagation {
@@ -64,14 +64,14 @@ class ErrorPropagation {
   void read_out() noexcept;
 
   const ErrorModel* model_;
-  BoundedMatrix<max_augmented, max_unknowns> mean_, mean_next_;              ///< M
-  BoundedMatrix<max_augmented, max_augmented> covariance_, product_;         ///< S and scratch
-  BoundedMatrix<max_health, max_unknowns> health_bias_;                      ///< Th M - Gh
-  BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_bias_;                ///< Tz M - Gz
-  BoundedMatrix<max_health, max_augmented> health_spread_;                   ///< Th S
-  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_spread_;             ///< Tz S
-  BoundedMatrix<max_sensors, max_unknowns> sensor_bias_;                     ///< C A M - Gy
-  BoundedMatrix<max_sensors, max_augmented> sensor_spread_;                  ///< C A S
+  BoundedMatrix<max_augmented, max_unknowns> mean_, mean_next_;       ///< M
+  BoundedMatrix<max_augmented, max_augmented> covariance_, product_;  ///< S and scratch
+  BoundedMatrix<max_health, max_unknowns> health_bias_;               ///< Th M - Gh
+  BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_bias_;         ///< Tz M - Gz
+  BoundedMatrix<max_health, max_augmented> health_spread_;            ///< Th S
+  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_spread_;      ///< Tz S
+  BoundedMatrix<max_sensors, max_unknowns> sensor_bias_;              ///< C A M - Gy
+  BoundedMatrix<max_sensors, max_augmented> sensor_spread_;           ///< C A S
   HealthVector health_sigma_;
   AuxiliaryVector auxiliary_sigma_;
   SensorVector innovation_variance_;

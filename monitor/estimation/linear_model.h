@@ -39,8 +39,9 @@ struct LinearModel {
   Eigen::VectorXd sensor_noise_sigma;  ///< m, of one sample
   Eigen::MatrixXd process_noise;       ///< n x n
   Eigen::MatrixXd A, B, L, C, D, M, F, G, N;
-  /// What the real engine's [y; z] adds to the linear one's in steady state: second moment over the fleet, (m+r) x (m+r),
-  /// channel units. Empty where the engine is linear or nobody has measured it. It acts like a constant sensor offset.
+  /// What the real engine's [y; z] adds to the linear one's in steady state: second moment over the fleet, (m+r) x
+  /// (m+r), channel units. Empty where the engine is linear or nobody has measured it. It acts like a constant sensor
+  /// offset.
   Eigen::MatrixXd linearisation_error;
   std::optional<OperatingPoint> operating_point;
   std::string engine_type;  ///< empty where the file does not say

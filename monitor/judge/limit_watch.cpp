@@ -27,7 +27,11 @@ LimitWatch::LimitWatch(const std::vector<LimitOptions>& limits, const estimation
       throw std::invalid_argument("limit.quantity is '" + l.quantity + "', which the design does not estimate; it has" +
                                   names(model.health) + names(model.auxiliary));
     limits_.push_back({health >= 0 ? wire::EventKind::health_limit : wire::EventKind::auxiliary_limit,
-                       health >= 0 ? health : auxiliary, l.min, l.max, l.hysteresis, {}});
+                       health >= 0 ? health : auxiliary,
+                       l.min,
+                       l.max,
+                       l.hysteresis,
+                       {}});
   }
 }
 

@@ -100,7 +100,8 @@ void ShiftDetector::judge(const estimation::TunerVector& tuners, int missing, Ev
     ++since_start_;
     return;
   }
-  const estimation::TunerVector change = filled_ == window_.size() ? tuners - window_[next_] : estimation::TunerVector();
+  const estimation::TunerVector change =
+      filled_ == window_.size() ? tuners - window_[next_] : estimation::TunerVector();
   window_[next_] = tuners;
   next_ = (next_ + 1) % window_.size();
   if (filled_ < window_.size()) {

@@ -6,12 +6,13 @@
 //                                                 S_q = V (Th S Th^T) V^T, both ends independent after w
 //   s_i    = [(I-Acl)^-1 Kinf H]_q e_i            how q answers to one percent of health parameter i in steady state
 //   a_i    = s_i^T (2 S_q)^-1 d / g_i             its most likely size, g_i = s_i^T (2 S_q)^-1 s_i
-//   i*     = argmax a_i^2 g_i                     the single parameter that explains most (generalised likelihood ratio)
+//   i*     = argmax a_i^2 g_i                     the single parameter that explains most (generalised likelihood
+//   ratio)
 //
-// Raised when D has exceeded its threshold for the persistence time without a break, as an event on channel i* with value
-// a_i* and threshold the smallest a_i* that D would see. Cleared when D is below half the threshold. Slow wear does not
-// raise it; a sensor bias below the innovation gate does look like a health change and is named as one.
-// The threshold is the chi-square quantile at false_alarm_per_hour over independent looks, by Wilson and Hilferty's cube
+// Raised when D has exceeded its threshold for the persistence time without a break, as an event on channel i* with
+// value a_i* and threshold the smallest a_i* that D would see. Cleared when D is below half the threshold. Slow wear
+// does not raise it; a sensor bias below the innovation gate does look like a health change and is named as one. The
+// threshold is the chi-square quantile at false_alarm_per_hour over independent looks, by Wilson and Hilferty's cube
 // root. Source of the ratio: Basseville & Nikiforov, Detection of Abrupt Changes, ch. 7 (linear Gaussian case).
 
 #include <optional>
@@ -28,8 +29,8 @@ class ShiftDetector {
  public:
   ShiftDetector(const ShiftOptions& options, const design::Design& design);
 
-  /// Takes the estimate of one sample. `missing` is the sensor that the present design lacks, -1 for none; a change of it
-  /// starts the comparison anew. Real-time safe: yes.
+  /// Takes the estimate of one sample. `missing` is the sensor that the present design lacks, -1 for none; a change of
+  /// it starts the comparison anew. Real-time safe: yes.
   void judge(const estimation::TunerVector& tuners, int missing, EventList& events) noexcept;
   /// Starts the comparison anew, after a restart of the filter. Real-time safe: yes.
   void reset() noexcept;
@@ -40,9 +41,9 @@ class ShiftDetector {
  private:
   /// Constants of one sensor set.
   struct Statistic {
-    estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> information;        ///< (2 S_q)^-1
-    estimation::BoundedMatrix<estimation::max_health, estimation::max_tuners> signature;          ///< s_i^T (2 S_q)^-1
-    estimation::HealthVector signature_information;                                               ///< g_i
+    estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> information;  ///< (2 S_q)^-1
+    estimation::BoundedMatrix<estimation::max_health, estimation::max_tuners> signature;    ///< s_i^T (2 S_q)^-1
+    estimation::HealthVector signature_information;                                         ///< g_i
     double threshold = 0.0;
     std::int64_t settling_samples = 0;  ///< four of the slowest time constants: the start must not look like a change
   };

@@ -35,8 +35,8 @@ class Validity {
     }
     for (std::size_t i = 0; i < model_.controls.size(); ++i)
       if (const double trim = std::abs(model_.controls[i].trim); trim > 0.0)
-        distance = std::max(distance, 100.0 * std::abs(s.actuator[i] - model_.controls[i].trim) / trim /
-                                          options_.actuator_percent);
+        distance = std::max(
+            distance, 100.0 * std::abs(s.actuator[i] - model_.controls[i].trim) / trim / options_.actuator_percent);
     return distance;
   }
 

@@ -36,7 +36,8 @@ class BadSamplesTest : public PairTest {
     s.sensor_count(static_cast<std::uint32_t>(trim_.size()));
     s.sensor_valid((1u << trim_.size()) - 1);
     // A trace of noise, since equal values would be stuck.
-    for (std::size_t i = 0; i < trim_.size(); ++i) s.sensor()[i] = trim_[i] * (1.0 + 1e-5 * static_cast<double>(sequence_ % 7));
+    for (std::size_t i = 0; i < trim_.size(); ++i)
+      s.sensor()[i] = trim_[i] * (1.0 + 1e-5 * static_cast<double>(sequence_ % 7));
     ++sequence_;
     return s;
   }
@@ -44,7 +45,8 @@ class BadSamplesTest : public PairTest {
   MonitorStatus send(const EngineSensors& sample) {
     writer_.write(sample);
     ++sent_;
-    EXPECT_TRUE(listener_.await([&] { return !listener_.status.empty() && listener_.status.back().samples_received() >= sent_; }));
+    EXPECT_TRUE(listener_.await(
+        [&] { return !listener_.status.empty() && listener_.status.back().samples_received() >= sent_; }));
     return listener_.status.back();
   }
   std::unique_ptr<Process> monitor_;
@@ -129,7 +131,8 @@ TEST_F(BadFilesTest, TheMonitorNamesWhatIsWrong) {
   const std::string good = design_file();
   expect_refused({monitor_program(), "--monitor-design", "nowhere.json"}, "nowhere.json");
   std::string text = nlohmann::json::parse(std::ifstream(good)).dump(1);
-  expect_refused({monitor_program(), "--monitor-design", file("truncated.json", text.substr(0, text.size() / 2))}, "truncated.json");
+  expect_refused({monitor_program(), "--monitor-design", file("truncated.json", text.substr(0, text.size() / 2))},
+                 "truncated.json");
   auto edited = nlohmann::json::parse(text);
   edited["model"]["health"][0]["sigma"] = 0.5;
   expect_refused({monitor_program(), "--monitor-design", file("edited.json", edited.dump())}, "hash");
@@ -137,7 +140,8 @@ TEST_F(BadFilesTest, TheMonitorNamesWhatIsWrong) {
   expect_refused({monitor_program(), "--monitor-design", file("older.json", edited.dump())}, "ehm-design/0");
   expect_refused({monitor_program(), "--config", file("m.toml", "[checks]\ngate_sigma = 100\n")},
                  "m.toml:2: 'checks.gate_sigma' is 100, allowed is a number from 2 to 20 sigma");
-  expect_refused({monitor_program(), "--monitor-design", good, "--config", file("limit.toml", "[[limit]]\nquantity = \"T41\"\nmax = 1.0\n")},
+  expect_refused({monitor_program(), "--monitor-design", good, "--config",
+                  file("limit.toml", "[[limit]]\nquantity = \"T41\"\nmax = 1.0\n")},
                  "limit.quantity is 'T41', which the design does not estimate");
   expect_refused({monitor_program()}, "no design: set monitor.design");
   expect_refused({monitor_program(), "--unknown"}, "--unknown");
@@ -145,7 +149,8 @@ TEST_F(BadFilesTest, TheMonitorNamesWhatIsWrong) {
 
 TEST_F(BadFilesTest, TheSimulatorNamesWhatIsWrong) {
   expect_refused({simulator_program(), "--config", "nowhere.toml"}, "nowhere.toml: no such file");
-  expect_refused({simulator_program(), "--flight-mach", "2"}, "flag --flight-mach: 'flight.mach' is 2, allowed is a number from 0 to 0.95");
+  expect_refused({simulator_program(), "--flight-mach", "2"},
+                 "flag --flight-mach: 'flight.mach' is 2, allowed is a number from 0 to 0.95");
   expect_refused({simulator_program(), "--config", file("s.toml", "[run\n")}, "not valid TOML");
 }
 
@@ -157,8 +162,14 @@ TEST_F(BadFilesTest, AMissingProfilesFileStopsWithItsName) {
 
 TEST_F(BadFilesTest, CheckConfigAcceptsTheShippedFiles) {
   std::string log;
-  EXPECT_EQ(run({monitor_program(), "--check-config", "--config", EHM_SOURCE_DIR "/deploy/demo/monitor.toml", "--monitor-design", design_file()}, log), 0) << log;
-  EXPECT_EQ(run({simulator_program(), "--check-config", "--config", EHM_SOURCE_DIR "/deploy/demo/engine_sim.toml"}, log), 0) << log;
+  EXPECT_EQ(run({monitor_program(), "--check-config", "--config", EHM_SOURCE_DIR "/deploy/demo/monitor.toml",
+                 "--monitor-design", design_file()},
+                log),
+            0)
+      << log;
+  EXPECT_EQ(
+      run({simulator_program(), "--check-config", "--config", EHM_SOURCE_DIR "/deploy/demo/engine_sim.toml"}, log), 0)
+      << log;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Two real processes on DDS: nothing lost, honest estimates, the step found, restarts survived.
 
-#include <csignal>
 #include <cmath>
+#include <csignal>
 
 #include "tests/integration/pair.h"
 
@@ -29,7 +29,8 @@ TEST_F(FlightTest, TwentySecondsAtRealTime) {
   EXPECT_EQ(simulator->wait(seconds(1)), 0);
   const std::uint64_t sent = 1334;  // 20 s / 15 ms, the first at 0
   ASSERT_TRUE(listener_.await([&] {
-    return !listener_.status.empty() && listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale);
+    return !listener_.status.empty() &&
+           listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale);
   }));
 
   EXPECT_EQ(listener_.truth.size(), sent);
@@ -42,7 +43,9 @@ TEST_F(FlightTest, TwentySecondsAtRealTime) {
   const auto at = [&](double time_s) -> const EngineHealth& {
     return listener_.health[static_cast<std::size_t>(time_s / sample_time_s)];
   };
-  const auto deviation = [&](double time_s) { return worst_deviation(at(time_s), listener_.truth.at(at(time_s).sequence_number())); };
+  const auto deviation = [&](double time_s) {
+    return worst_deviation(at(time_s), listener_.truth.at(at(time_s).sequence_number()));
+  };
   EXPECT_LT(deviation(9.9), 3.0);
   EXPECT_LT(deviation(19.9), 3.0);
   for (double time_s = 15.0; time_s < 20.0; time_s += 0.1) {
@@ -51,7 +54,9 @@ TEST_F(FlightTest, TwentySecondsAtRealTime) {
   }
   for (std::size_t i = 0; i < 4; ++i) {
     const EngineAuxiliary& z = listener_.auxiliary.back();
-    EXPECT_LT(std::abs(z.auxiliary()[i] - listener_.truth.at(z.sequence_number()).auxiliary()[i]), 3.0 * z.sigma_total()[i]) << i;
+    EXPECT_LT(std::abs(z.auxiliary()[i] - listener_.truth.at(z.sequence_number()).auxiliary()[i]),
+              3.0 * z.sigma_total()[i])
+        << i;
   }
 
   const HealthEvent* shift = listener_.find_event(wire::EventKind::health_shift, true);
@@ -62,9 +67,10 @@ TEST_F(FlightTest, TwentySecondsAtRealTime) {
   EXPECT_LT(delay_s, 5.0);
   // Times are printed, not judged: a test that judges them fails on a busy machine.
   const MonitorStatus& s = listener_.status.back();
-  std::printf("20 s at real time: sent %zu, lost %llu; step found after %.2f s; latency p50 %.0f us, p99 %.0f us, %llu late\n",
-              listener_.truth.size(), static_cast<unsigned long long>(s.samples_lost()), delay_s, s.latency_p50_us(),
-              s.latency_p99_us(), static_cast<unsigned long long>(s.deadline_misses()));
+  std::printf(
+      "20 s at real time: sent %zu, lost %llu; step found after %.2f s; latency p50 %.0f us, p99 %.0f us, %llu late\n",
+      listener_.truth.size(), static_cast<unsigned long long>(s.samples_lost()), delay_s, s.latency_p50_us(),
+      s.latency_p99_us(), static_cast<unsigned long long>(s.deadline_misses()));
 }
 
 TEST_F(FlightTest, RateMaxLosesNothing) {
@@ -73,9 +79,8 @@ TEST_F(FlightTest, RateMaxLosesNothing) {
   ASSERT_TRUE(listener_.await([&] { return !listener_.truth.empty() && !simulator->running(); }, seconds(60)));
   EXPECT_EQ(simulator->wait(seconds(1)), 0);
   constexpr std::uint64_t sent = 10'000;
-  EXPECT_TRUE(listener_.await([&] {
-    return !listener_.status.empty() && listener_.status.back().samples_received() == sent;
-  }));
+  EXPECT_TRUE(
+      listener_.await([&] { return !listener_.status.empty() && listener_.status.back().samples_received() == sent; }));
   EXPECT_EQ(listener_.status.back().samples_lost(), 0u);
   EXPECT_EQ(listener_.status.back().samples_processed(), sent);
 }
@@ -149,7 +154,8 @@ TEST_F(FlightTest, AnOrderedStopSaysSo) {
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 20; }));
   monitor->signal(SIGTERM);
   ASSERT_TRUE(listener_.await([&] {
-    return !listener_.status.empty() && listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stopped);
+    return !listener_.status.empty() &&
+           listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stopped);
   }));
   EXPECT_EQ(monitor->wait(seconds(5)), 0);
   simulator->signal(SIGINT);
@@ -162,7 +168,8 @@ TEST_F(FlightTest, OneMonitorServesSeveralEngines) {
   const auto second = start_simulator({"--run-duration-s", "3", "--engine-id", "2", "--run-seed", "5"});
   ASSERT_TRUE(listener_.await([&] { return !first->running() && !second->running(); }));
   const auto estimates = [&](std::uint32_t engine) {
-    return std::count_if(listener_.health.begin(), listener_.health.end(), [&](const auto& h) { return h.engine_id() == engine; });
+    return std::count_if(listener_.health.begin(), listener_.health.end(),
+                         [&](const auto& h) { return h.engine_id() == engine; });
   };
   EXPECT_TRUE(listener_.await([&] { return estimates(1) == 200 && estimates(2) == 200; }));
   const auto described = [&](std::uint32_t engine) {
@@ -180,7 +187,8 @@ TEST_F(FlightTest, CommandsReachBothServices) {
   const auto simulator = start_simulator();
   wire::Writer<SimCommand> sim_commands(participant_);
   wire::Writer<MonitorCommand> monitor_commands(participant_);
-  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 20 && sim_commands.matched() == 1 && monitor_commands.matched() == 1; }));
+  ASSERT_TRUE(listener_.await(
+      [&] { return listener_.health.size() > 20 && sim_commands.matched() == 1 && monitor_commands.matched() == 1; }));
 
   SimCommand fault;
   fault.engine_id(1);

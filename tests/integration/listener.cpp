@@ -13,8 +13,14 @@ void take(wire::Reader<T>& reader, std::vector<T>& into) {
 }  // namespace
 
 Listener::Listener(wire::Participant& participant)
-    : sensors_(participant), health_(participant), auxiliary_(participant), residuals_(participant),
-      truth_(participant), descriptions_(participant), status_(participant), events_(participant) {
+    : sensors_(participant),
+      health_(participant),
+      auxiliary_(participant),
+      residuals_(participant),
+      truth_(participant),
+      descriptions_(participant),
+      status_(participant),
+      events_(participant) {
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(health_.condition());
   wait_set_.attach_condition(status_.condition());

@@ -9,7 +9,9 @@ namespace ehm::test {
 namespace {
 
 /// Tests run one at a time; the process number keeps a domain apart from what another run may have left.
-std::uint32_t own_domain() { return 100 + static_cast<std::uint32_t>(getpid()) % 100; }
+std::uint32_t own_domain() {
+  return 100 + static_cast<std::uint32_t>(getpid()) % 100;
+}
 
 void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
   to.insert(to.end(), more.begin(), more.end());
@@ -26,9 +28,15 @@ wire::ParticipantOptions PairTest::options(std::uint32_t domain) {
 
 PairTest::PairTest() : domain_(own_domain()), participant_(options(domain_)), listener_(participant_) {}
 
-std::string PairTest::monitor_program() { return EHM_MONITOR; }
-std::string PairTest::simulator_program() { return EHM_ENGINE_SIM; }
-std::string PairTest::design_file() { return EHM_DESIGN_FILE; }
+std::string PairTest::monitor_program() {
+  return EHM_MONITOR;
+}
+std::string PairTest::simulator_program() {
+  return EHM_ENGINE_SIM;
+}
+std::string PairTest::design_file() {
+  return EHM_DESIGN_FILE;
+}
 
 std::unique_ptr<Process> PairTest::start_monitor(const std::vector<std::string>& flags) {
   std::vector<std::string> arguments{monitor_program(), "--dds-domain", std::to_string(domain_), "--monitor-design",

@@ -43,7 +43,9 @@ Process::~Process() {
   std::remove(log_path_.c_str());
 }
 
-void Process::signal(int number) const { kill(pid_, number); }
+void Process::signal(int number) const {
+  kill(pid_, number);
+}
 
 std::optional<int> Process::wait(std::chrono::milliseconds limit) {
   const auto deadline = std::chrono::steady_clock::now() + limit;

@@ -25,9 +25,11 @@ int main(int argc, char** argv) {
       if (heard.role() == static_cast<std::uint32_t>(wire::DescriptionRole::monitor)) description = heard;
     while (estimates.take(health)) {
       if (description.health_count() == 0) continue;  // names and units are on their way
-      std::printf("engine %u sample %llu:", health.engine_id(), static_cast<unsigned long long>(health.sequence_number()));
+      std::printf("engine %u sample %llu:", health.engine_id(),
+                  static_cast<unsigned long long>(health.sequence_number()));
       for (std::uint32_t i = 0; i < health.health_count(); ++i)
-        std::printf(" %s %.4f +- %.4f", description.health()[i].name().c_str(), health.health()[i], health.sigma_total()[i]);
+        std::printf(" %s %.4f +- %.4f", description.health()[i].name().c_str(), health.health()[i],
+                    health.sigma_total()[i]);
       std::printf("\n");
       std::fflush(stdout);
     }

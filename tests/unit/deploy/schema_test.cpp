@@ -44,7 +44,8 @@ class SchemaTest : public testing::Test {
 };
 
 TEST_F(SchemaTest, ReadsAFile) {
-  const ConfigFile file("[checks]\ngate_sigma = 4\nsamples = 7\n[names]\nname = \"b\"\nmode = \"exclusive\"\non = true\n");
+  const ConfigFile file(
+      "[checks]\ngate_sigma = 4\nsamples = 7\n[names]\nname = \"b\"\nmode = \"exclusive\"\non = true\n");
   schema_.load(file.path());
   EXPECT_DOUBLE_EQ(values_.gate_sigma, 4.0);
   EXPECT_EQ(values_.samples, 7);
@@ -63,7 +64,8 @@ TEST_F(SchemaTest, EachMistakeHasOneMessageWithPlaceKeyValueAndAllowedRange) {
   EXPECT_EQ(error_of("[checks]\nsamples = 2.5\n"),
             ":2: 'checks.samples' has the wrong type, allowed is a whole number from 1 to 100 samples");
   EXPECT_EQ(error_of("[names]\nmode = \"both\"\n"), ":2: 'names.mode' is 'both', allowed is one of shared, exclusive");
-  EXPECT_EQ(error_of("[checks]\ngate_sigm = 5\n"), ":2: unknown key 'checks.gate_sigm'; did you mean 'checks.gate_sigma'?");
+  EXPECT_EQ(error_of("[checks]\ngate_sigm = 5\n"),
+            ":2: unknown key 'checks.gate_sigm'; did you mean 'checks.gate_sigma'?");
   EXPECT_EQ(error_of("[elsewhere]\nx = 5\n"),
             ":1: unknown key 'elsewhere'; the reference lists the known ones (--print-config)");
   EXPECT_TRUE(error_of("[checks\n").starts_with(":1:8: not valid TOML: ")) << error_of("[checks\n");

@@ -117,8 +117,9 @@ max = 1380
 }
 
 TEST(MonitorConfig, NamesEveryMistake) {
-  EXPECT_EQ(monitor_error(""),
-            "no design: set monitor.design (--monitor-design FILE) or an [[engine]] table; tuner_design makes the file");
+  EXPECT_EQ(
+      monitor_error(""),
+      "no design: set monitor.design (--monitor-design FILE) or an [[engine]] table; tuner_design makes the file");
   EXPECT_EQ(monitor_error("[[engine]]\nids = [1]\ndesign = \"a\"\n[[engine]]\nids = [1]\ndesign = \"b\"\n"),
             "'engine.ids' names engine 1 twice; one design per engine is allowed");
   EXPECT_EQ(monitor_error("[[limit]]\nquantity = \"T40\"\n"),

@@ -29,7 +29,10 @@ TEST(TableReader, NamesEveryMistake) {
             "f.toml:1: 'wear.x' is 3, allowed is a number from 0 to 2");
   EXPECT_EQ(error_of("y = 3", [](TableReader& t) { t.real("x", 0, 2); }),
             "f.toml:1: 'wear.x' is missing, allowed is a number from 0 to 2");
-  EXPECT_EQ(error_of("x = \"a\"", [](TableReader& t) { t.choice("x", {"b", "c"}); }),
+  EXPECT_EQ(error_of("x = \"a\"",
+                     [](TableReader& t) {
+                       t.choice("x", {"b", "c"});
+                     }),
             "f.toml:1: 'wear.x' is 'a', allowed is one of b, c");
   EXPECT_EQ(error_of("x = [0]", [](TableReader& t) { t.integers("x", 1, 2); }),
             "f.toml:1: 'wear.x' has 0, allowed is an array of whole numbers from 1 to 2");

@@ -25,7 +25,8 @@ TEST(NoiseSource, IsStandardNormal) {
 }
 
 TEST(NoiseSource, IsTheSameEverywhere) {
-  // mt19937_64 with seed 1 starts 2469588189546311528, 2516265689700432462 (C++ standard's generator); Box-Muller by hand.
+  // mt19937_64 with seed 1 starts 2469588189546311528, 2516265689700432462 (C++ standard's generator); Box-Muller by
+  // hand.
   NoiseSource noise(1);
   const double u1 = (static_cast<double>(2469588189546311528ull >> 11) + 1.0) * 0x1p-53;
   const double u2 = (static_cast<double>(2516265689700432462ull >> 11) + 1.0) * 0x1p-53;

@@ -71,7 +71,8 @@ TEST(Simulation, SaysWhatItCannotFly) {
     Simulation simulation(s);
     FAIL();
   } catch (const FlightError& e) {
-    EXPECT_EQ(std::string(e.what()).find("at 10668 m, Mach 0.8, ISA +0 K the engine cannot run with t40_k = 2355.4"), 0u)
+    EXPECT_EQ(std::string(e.what()).find("at 10668 m, Mach 0.8, ISA +0 K the engine cannot run with t40_k = 2355.4"),
+              0u)
         << e.what();
   }
 }

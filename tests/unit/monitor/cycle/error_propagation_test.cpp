@@ -51,8 +51,8 @@ TEST(ErrorPropagation, AgreesWithAFleetAtEverySample) {
     monitor::MonitorCycle cycle(design, monitor::CycleOptions{});
     for (std::size_t checkpoint = 0, k = 0; checkpoint < samples.size(); ++checkpoint) {
       for (; k < static_cast<std::size_t>(samples[checkpoint]); ++k) cycle.process(flight.next());
-      ratio[checkpoint] += ((cycle.filter().health() - flight.health()).array() / cycle.error().health_sigma().array())
-                               .square();
+      ratio[checkpoint] +=
+          ((cycle.filter().health() - flight.health()).array() / cycle.error().health_sigma().array()).square();
     }
   }
   // A chi-square with 800 degrees of freedom over 800 has standard deviation sqrt(2/800) = 0.05.

@@ -16,7 +16,9 @@ estimation::LinearModel model() {
   return m;
 }
 
-std::string text(const Event& event) { return monitor::event_text(event, model()); }
+std::string text(const Event& event) {
+  return monitor::event_text(event, model());
+}
 
 TEST(EventText, SaysWhatHappenedToWhichChannel) {
   namespace reason = wire::reject_reason;

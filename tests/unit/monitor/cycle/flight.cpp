@@ -23,8 +23,8 @@ monitor::Sample Flight::next() {
   monitor::Sample s;
   s.schema = 1;
   s.sequence = sequence_;
-  s.source_time_ns = static_cast<std::int64_t>(
-      std::llround(1e9 * model_.sample_time_s * static_cast<double>(sequence_)));
+  s.source_time_ns =
+      static_cast<std::int64_t>(std::llround(1e9 * model_.sample_time_s * static_cast<double>(sequence_)));
   if (model_.operating_point) s.flight = *model_.operating_point;
   s.sensor_count = static_cast<std::uint32_t>(model_.sensors.size());
   s.sensor_valid = (1u << s.sensor_count) - 1u;

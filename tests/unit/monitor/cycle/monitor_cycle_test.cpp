@@ -46,7 +46,8 @@ class MonitorCycleTest : public testing::Test {
   }
   void expect_within_sigmas(double sigmas) {
     for (Eigen::Index i = 0; i < 10; ++i)
-      EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), sigmas * cycle_.error().health_sigma()(i)) << i;
+      EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), sigmas * cycle_.error().health_sigma()(i))
+          << i;
   }
   double noise(int i) const { return design_->model.sensor_noise_sigma(i); }
 

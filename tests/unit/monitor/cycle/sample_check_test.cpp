@@ -21,7 +21,9 @@ Sample sample(std::uint64_t sequence, double time_s) {
   return s;
 }
 
-SampleCheck check() { return SampleCheck(CheckOptions{}, 7, 1, sample_time_s); }
+SampleCheck check() {
+  return SampleCheck(CheckOptions{}, 7, 1, sample_time_s);
+}
 
 TEST(SampleCheck, AcceptsSamplesInOrder) {
   SampleCheck c = check();

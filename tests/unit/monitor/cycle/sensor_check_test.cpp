@@ -31,7 +31,9 @@ class SensorCheckTest : public testing::Test {
   SensorCheck check_{CheckOptions{}, one_sensor(1000.0)};
 };
 
-TEST_F(SensorCheckTest, PassesAPlausibleValue) { EXPECT_EQ(offer(1005.0), 0u); }
+TEST_F(SensorCheckTest, PassesAPlausibleValue) {
+  EXPECT_EQ(offer(1005.0), 0u);
+}
 
 TEST_F(SensorCheckTest, NamesTheReason) {
   EXPECT_EQ(offer(1000.0, false), reason::source_invalid);

@@ -95,7 +95,9 @@ struct Defect {
   const char* message;
 };
 
-void PrintTo(const Defect& defect, std::ostream* out) { *out << defect.name; }
+void PrintTo(const Defect& defect, std::ostream* out) {
+  *out << defect.name;
+}
 
 class ModelFileDefect : public ::testing::TestWithParam<Defect> {};
 

@@ -1,0 +1,29 @@
+#include "deploy/config/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "deploy/service/exit_code.h"
+
+namespace ehm::config {
+
+std::optional<int> parse_command_line(int argc, char** argv, const std::string& program, const std::string& purpose,
+                                      Schema& schema, CommandLine& line) {
+  CLI::App app{purpose + "\n" + service::exit_code_help, program};
+  bool print_config = false;
+  app.add_option("--config", line.file, "configuration file (TOML)");
+  app.add_flag("--print-config", print_config, "print every key with default, range and description, and exit");
+  app.add_flag("--check-config", line.check_config, "read the configuration and what it names, and exit");
+  app.set_version_flag("--version", program + " " EHM_VERSION);
+  schema.add_flags(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+  }
+  if (!print_config) return std::nullopt;
+  std::cout << schema.reference();
+  return service::exit_ok;
+}
+
+}  // namespace ehm::config

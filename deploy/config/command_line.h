@@ -1,0 +1,21 @@
+#pragma once
+// The command line that every service has: --config, --print-config, --check-config, --help, --version, and one flag a
+// key of its schema.
+
+#include <optional>
+#include <string>
+
+#include "deploy/config/schema.h"
+
+namespace ehm::config {
+
+struct CommandLine {
+  std::string file;           ///< of --config; empty: none
+  bool check_config = false;  ///< read everything, start nothing
+};
+
+/// Parses and answers what needs no configuration. Returns the exit code if the program is to end with that.
+std::optional<int> parse_command_line(int argc, char** argv, const std::string& program, const std::string& purpose,
+                                      Schema& schema, CommandLine& line);
+
+}  // namespace ehm::config
