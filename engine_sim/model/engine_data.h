@@ -12,6 +12,7 @@
 #include "engine_sim/model/compressor_map.h"
 #include "engine_sim/model/flow_unknowns.h"
 #include "engine_sim/model/gas_path.h"
+#include "engine_sim/model/heat_soak.h"
 #include "engine_sim/model/turbine_map.h"
 
 namespace ehm::engine {
@@ -29,9 +30,18 @@ struct MapScale {
   double s_nc, s_wc, s_pr, s_eff;
 };
 
+/// Effect of stator vanes off their schedule by `a` degrees (positive closes) on a compressor:
+///   Wc and PR - 1 are multiplied by 1 - flow_per_deg a and 1 - pressure_rise_per_deg a, efficiency by 1 - c a^2.
+struct VaneData {
+  double flow_per_deg = 0.0;
+  double pressure_rise_per_deg = 0.0;
+  double efficiency_per_deg2 = 0.0;
+};
+
 struct CompressorData {
   CompressorMap map;
   MapScale scale;
+  VaneData vanes;  ///< none by default
 };
 
 struct TurbineData {
@@ -39,10 +49,14 @@ struct TurbineData {
   MapScale scale;
 };
 
-/// Air taken at the HPC exit, as fractions of the HPC flow.
-struct CoolingData {
-  double hpt_inlet;  ///< does work in the HPT
-  double hpt_exit;   ///< mixes behind the HPT
+/// Air that leaves the main stream, as fractions of the HPC's inlet flow. Turbine cooling at an inlet does work there,
+/// at an exit it mixes behind. A port lies where the given fraction of the HPC's work has been done: 1 is its exit.
+struct SecondaryAir {
+  double hpt_inlet = 0.0, hpt_exit = 0.0;  ///< from the HPC exit
+  double lpt_inlet = 0.0, lpt_exit = 0.0;  ///< from the LPT cooling port
+  double lpt_port_work = 1.0;
+  double customer_port_work = 1.0;
+  double bypass_leak = 0.0;  ///< fraction of the bypass flow, lost overboard
 };
 
 struct CombustorData {
@@ -75,12 +89,13 @@ struct EngineData {
   InletData inlet;
   CompressorData fan, lpc, hpc;
   double hpc_exit_area_m2;  ///< flow area at station 30, where Ps30 is sensed
-  CoolingData cooling;
+  SecondaryAir air;
   CombustorData combustor;
   TurbineData hpt, lpt;
   DuctLosses loss;
   NozzleData core_nozzle, bypass_nozzle;
   double lp_inertia_kg_m2, hp_inertia_kg_m2;
+  std::array<HeatSoakData, metal_count> metal;
   DesignPoint design;
 };
 

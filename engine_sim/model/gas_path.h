@@ -37,6 +37,21 @@ struct FlightCondition {
   bool operator==(const FlightCondition&) const = default;
 };
 
+/// Variable geometry besides the fuel valve.
+struct Geometry {
+  double vsv_deg = 0.0;                 ///< HPC stator vanes off their schedule, positive closes
+  double vbv_fraction = 0.0;            ///< of the LPC exit flow, through the bleed valves to the bypass
+  double core_nozzle_area_ratio = 1.0;  ///< to the nominal area
+  bool operator==(const Geometry&) const = default;
+};
+
+/// What the aircraft takes from the engine.
+struct Offtake {
+  double customer_bleed_kg_s = 0.0;  ///< air from the HPC's customer port
+  double power_w = 0.0;              ///< from the HP shaft
+  bool operator==(const Offtake&) const = default;
+};
+
 struct SpoolSpeeds {
   double n1_rpm = 0.0;
   double n2_rpm = 0.0;
@@ -65,6 +80,7 @@ struct GasPath {
   double stall_margin_fan_percent = 0.0;  ///< constant corrected flow, surge and working PR from the unscaled map
   double stall_margin_lpc_percent = 0.0;
   double stall_margin_hpc_percent = 0.0;
+  std::array<double, 3> metal_dot_k_s{};  ///< heat soak (heat_soak.h); zero without it
 };
 
 }  // namespace ehm::engine

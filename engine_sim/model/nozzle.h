@@ -26,17 +26,19 @@ double sonic_temperature_k(double tt_k, double fuel_air_ratio);
 /// The jet when it expands to the static temperature t_k.
 template <class S>
 NozzleFlow<S> jet(const NozzleData& data, const Stream<S>& in, const S& t_k, const S& log_pressure_ratio,
-                  double ambient_p_pa) {
+                  double ambient_p_pa, double area_ratio) {
   using std::exp, std::sqrt;
   const S p_pa = in.pt_pa * exp(-log_pressure_ratio);
   const S velocity_m_s = sqrt(2.0 * (in.h_j_kg - enthalpy(t_k, in.fuel_air_ratio)));
-  const S flow = data.area_m2 * velocity_m_s * p_pa / (gas_constant(in.fuel_air_ratio) * t_k);
-  const S thrust = in.w_kg_s * data.velocity_coefficient * velocity_m_s + (p_pa - ambient_p_pa) * data.area_m2;
+  const double area_m2 = data.area_m2 * area_ratio;
+  const S flow = area_m2 * velocity_m_s * p_pa / (gas_constant(in.fuel_air_ratio) * t_k);
+  const S thrust = in.w_kg_s * data.velocity_coefficient * velocity_m_s + (p_pa - ambient_p_pa) * area_m2;
   return {flow, thrust, false};
 }
 
+/// `area_ratio`: of a variable nozzle, to the nominal area.
 template <class S>
-NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambient_p_pa) {
+NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambient_p_pa, double area_ratio = 1.0) {
   using std::log;
   constexpr double lowest_log_ratio = 5e-4;
   const double r = gas_constant(in.fuel_air_ratio);
@@ -48,14 +50,14 @@ NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambien
   const S log_critical =
       (entropy_function(in.tt_k, in.fuel_air_ratio) - entropy_function(t_sonic, in.fuel_air_ratio)) / r;
   if (value(log_available) >= value(log_critical)) {
-    NozzleFlow<S> choked = jet(data, in, t_sonic, log_critical, ambient_p_pa);
+    NozzleFlow<S> choked = jet(data, in, t_sonic, log_critical, ambient_p_pa, area_ratio);
     choked.choked = true;
     return choked;
   }
   const bool stalled = value(log_available) < lowest_log_ratio;
   const S log_ratio = stalled ? S(lowest_log_ratio) : log_available;
-  NozzleFlow<S> out =
-      jet(data, in, isentropic_temperature(in.tt_k, in.fuel_air_ratio, S(-log_ratio)), log_ratio, ambient_p_pa);
+  NozzleFlow<S> out = jet(data, in, isentropic_temperature(in.tt_k, in.fuel_air_ratio, S(-log_ratio)), log_ratio,
+                          ambient_p_pa, area_ratio);
   // flow ~ sqrt(log ratio) close to zero: its tangent continues it
   if (stalled) {
     out.flow_capacity_kg_s =

@@ -14,8 +14,7 @@ enum Extra : std::size_t { n1 = flow_unknown_count, n2, fuel };
 
 /// Where the engine is asked to be; the continuation moves along a straight line between two of these.
 struct Target {
-  FlightCondition flight;
-  HealthVector health;
+  Operation operation;
   Demand demand;
 };
 
@@ -76,13 +75,13 @@ void require_valid(const Demand& demand) {
 /// Newton's method at one target from one start.
 Solution solve_at(const Turbofan& engine, const Target& target, Unknowns x) {
   const DesignPoint& design = engine.data().design;
-  const Intake in = intake(engine.data().inlet, target.flight);
+  const Intake in = intake(engine.data().inlet, target.operation.flight);
   CycleInput<D> input;
   Cycle<D> last;
   const NewtonReport report = newton(steady_balance, x, [&](const std::array<D, unknown_count>& trial) {
     input = {trial[n1] * design.speeds.n1_rpm, trial[n2] * design.speeds.n2_rpm, trial[fuel] * design.fuel_flow_kg_s,
              unpack(trial)};
-    last = engine.cycle(in, target.health, input);
+    last = engine.cycle(in, target.operation, input);
     std::array<D, unknown_count> r;
     std::copy(last.flow_residual.begin(), last.flow_residual.end(), r.begin());
     r[6] = 1.0 - last.lp_absorbed_power_w / last.lp_turbine_power_w;
@@ -105,7 +104,8 @@ Unknowns unknowns_of(const Turbofan& engine, const FlowUnknowns& flow, const Spo
 /// The design point's unknowns moved to another inlet state at constant corrected speeds and corrected fuel flow.
 Unknowns cold_start(const Turbofan& engine, const Target& target) {
   const DesignPoint& design = engine.data().design;
-  const Intake here = intake(engine.data().inlet, target.flight), there = intake(engine.data().inlet, design.flight);
+  const Intake here = intake(engine.data().inlet, target.operation.flight),
+               there = intake(engine.data().inlet, design.flight);
   const double root_theta = std::sqrt(here.tt_k / there.tt_k);
   Unknowns x = unknowns_of(engine, design.unknowns, design.speeds, design.fuel_flow_kg_s);
   x[n1] *= root_theta;
@@ -130,10 +130,16 @@ double demanded_value(const GasPath& gas, DemandKind kind) {
 
 Target between(const Target& a, const Target& b, double share) {
   const auto mean = [share](double from, double to) { return from + share * (to - from); };
+  const Operation &p = a.operation, &q = b.operation;
   Target t = b;
-  t.flight = {mean(a.flight.altitude_m, b.flight.altitude_m), mean(a.flight.mach, b.flight.mach),
-              mean(a.flight.delta_isa_k, b.flight.delta_isa_k)};
-  for (std::size_t i = 0; i < health_count; ++i) t.health[i] = mean(a.health[i], b.health[i]);
+  t.operation.flight = {mean(p.flight.altitude_m, q.flight.altitude_m), mean(p.flight.mach, q.flight.mach),
+                        mean(p.flight.delta_isa_k, q.flight.delta_isa_k)};
+  for (std::size_t i = 0; i < health_count; ++i) t.operation.health[i] = mean(p.health[i], q.health[i]);
+  t.operation.geometry = {mean(p.geometry.vsv_deg, q.geometry.vsv_deg),
+                          mean(p.geometry.vbv_fraction, q.geometry.vbv_fraction),
+                          mean(p.geometry.core_nozzle_area_ratio, q.geometry.core_nozzle_area_ratio)};
+  t.operation.offtake = {mean(p.offtake.customer_bleed_kg_s, q.offtake.customer_bleed_kg_s),
+                         mean(p.offtake.power_w, q.offtake.power_w)};
   t.demand.value = mean(a.demand.value, b.demand.value);
   return t;
 }
@@ -161,7 +167,7 @@ Solution follow(const Turbofan& engine, const Target& from, const Target& to, So
 /// First flight condition and health at the corrected design fuel flow, then the demand.
 Solution continuation(const Turbofan& engine, const Target& target) {
   const DesignPoint& design = engine.data().design;
-  const Target origin{design.flight, HealthVector{}, {DemandKind::fuel_flow_kg_s, design.fuel_flow_kg_s}};
+  const Target origin{{.flight = design.flight}, {DemandKind::fuel_flow_kg_s, design.fuel_flow_kg_s}};
   Solution at = solve_at(engine, origin, cold_start(engine, origin));
   Target moved = target;
   moved.demand = {DemandKind::fuel_flow_kg_s, 0.7 * cold_start(engine, target)[fuel] * design.fuel_flow_kg_s};
@@ -180,15 +186,18 @@ Solution solve(const Turbofan& engine, const Target& target, const Unknowns& sta
 
 }  // namespace
 
-SteadyPoint solve_steady(const Turbofan& engine, const FlightCondition& flight, const HealthVector& health,
-                         const Demand& demand, const SteadyPoint* start) {
+SteadyPoint solve_steady(const Turbofan& engine, const Operation& operation, const Demand& demand,
+                         const SteadyPoint* start) {
   require_valid(demand);
-  require_valid(Operation{flight, health, engine.data().design.fuel_flow_kg_s});
-  const Target target{flight, health, demand};
+  Operation held = operation;
+  held.fuel_flow_kg_s = engine.data().design.fuel_flow_kg_s;
+  require_valid(held);
+  const Target target{held, demand};
   const Unknowns x = start ? unknowns_of(engine, start->unknowns, start->gas.speeds, start->gas.fuel_flow_kg_s)
                            : cold_start(engine, target);
   const Solution s = solve(engine, target, x);
-  return {{flight, health, s.gas.fuel_flow_kg_s}, s.gas, {unpack(s.x)}, s.iterations, s.residual};
+  held.fuel_flow_kg_s = s.gas.fuel_flow_kg_s;
+  return {held, s.gas, {unpack(s.x)}, s.iterations, s.residual};
 }
 
 }  // namespace ehm::engine

@@ -27,11 +27,18 @@ struct SteadyPoint {
   double residual;  ///< largest of the nine, relative
 };
 
-/// `start`: a solved point nearby, or none for a cold start.
+/// `operation`: all but the fuel flow is held; its fuel flow is ignored, the demand decides. `start`: a solved point
+/// nearby, or none for a cold start.
 /// @throws std::invalid_argument if demand or health are not finite or out of range (the message says which)
 /// @throws std::out_of_range for a flight condition outside the atmosphere's or the inlet's range
 /// @throws SolveError if no steady point is found; the message names the residual that did not close and its value
-SteadyPoint solve_steady(const Turbofan& engine, const FlightCondition& flight, const HealthVector& health,
-                         const Demand& demand, const SteadyPoint* start = nullptr);
+SteadyPoint solve_steady(const Turbofan& engine, const Operation& operation, const Demand& demand,
+                         const SteadyPoint* start = nullptr);
+
+/// The same without off-take and with geometry on schedule.
+inline SteadyPoint solve_steady(const Turbofan& engine, const FlightCondition& flight, const HealthVector& health,
+                                const Demand& demand, const SteadyPoint* start = nullptr) {
+  return solve_steady(engine, Operation{.flight = flight, .health = health}, demand, start);
+}
 
 }  // namespace ehm::engine

@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine_sim/model/bleed.h"
 #include "engine_sim/model/combustor.h"
 #include "engine_sim/model/duct.h"
 #include "engine_sim/model/shaft.h"
@@ -27,6 +26,38 @@ void require_open_nozzle(const char* name, double pressure_ratio) {
                    " drives no jet (windmilling is not modelled); give more fuel flow");
 }
 
+struct ComponentFactors {
+  MapFactors fan, lpc, hpc, hpt, lpt;
+};
+
+ComponentFactors component_factors(const Turbofan& engine, const Operation& operation) {
+  const HealthVector& h = operation.health;
+  return {map_factors({h[fan_efficiency], h[fan_flow]}), map_factors({h[lpc_efficiency], h[lpc_flow]}),
+          map_factors({h[hpc_efficiency], h[hpc_flow]}, engine.data().hpc.vanes, operation.geometry.vsv_deg),
+          map_factors({h[hpt_efficiency], h[hpt_flow]}), map_factors({h[lpt_efficiency], h[lpt_flow]})};
+}
+
+/// mix(), spared where there is nothing to add.
+template <class S>
+Stream<S> joined(const Stream<S>& main, const Stream<S>& added) {
+  return value(added.w_kg_s) == 0.0 ? main : mix(main, added);
+}
+
+/// From the fan's bypass exit to the bypass nozzle.
+template <class S>
+Stream<S> bypass(const EngineData& data, const Stream<S>& s13, const Stream<S>& bleed_valves) {
+  return joined(duct(with_flow(s13, S(s13.w_kg_s * (1.0 - data.air.bypass_leak))), data.loss.bypass), bleed_valves);
+}
+
+/// Heat soak of one component, if there are metal temperatures.
+template <class S>
+Stream<S> soaked(const EngineData& data, Cycle<S>& c, Metal lump, const Stream<S>& in, const MetalTemperatures* metal) {
+  if (metal == nullptr) return in;
+  const Soaked<S> out = soak(data.metal[lump], in, (*metal)[lump]);
+  c.metal_heat_w[lump] = out.heat_w;
+  return out.gas;
+}
+
 template <class S>
 S closure(const S& flow, const S& capacity) {
   return 1.0 - capacity / flow;
@@ -41,64 +72,73 @@ void require_valid(const Operation& operation) {
     const double h = operation.health[i];
     require(h >= -0.5 && h <= 0.5, "health " + std::string(health_names[i]), h, "-0.5 to 0.5");
   }
+  const auto& [vsv_deg, vbv_fraction, area_ratio] = operation.geometry;
+  require(vsv_deg >= -20.0 && vsv_deg <= 40.0, "vsv_deg", vsv_deg, "-20 to 40");
+  require(vbv_fraction >= 0.0 && vbv_fraction <= 0.5, "vbv_fraction", vbv_fraction, "0 to 0.5");
+  require(area_ratio >= 0.5 && area_ratio <= 2.0, "core_nozzle_area_ratio", area_ratio, "0.5 to 2");
+  const auto& [bleed_kg_s, power_w] = operation.offtake;
+  require(bleed_kg_s >= 0.0 && bleed_kg_s <= 100.0, "customer_bleed_kg_s", bleed_kg_s, "0 to 100");
+  require(power_w >= 0.0 && power_w <= 1e7, "power_offtake_w", power_w, "0 to 1e7");
 }
 
-//  ambient -> inlet -2- fan -+-13- bypass duct -15-> bypass nozzle
-//                            +-21- duct -22- LPC -24- duct -25- HPC -30- bleeds -36- combustor -40-
-//  -40- HPT (+ cooling) -45- duct -48- LPT -50- duct -7-> core nozzle
+//  ambient -> inlet -2- fan -+-13- bypass duct (+ VBV air) -15-> bypass nozzle
+//                            +-21- duct -22- LPC -24- VBV, duct -25- HPC -30- bleeds -36- combustor -40-
+//  -40- HPT (+ cooling) -45- duct -48- LPT (+ cooling) -50- duct -7-> core nozzle
 template <class S>
-Cycle<S> Turbofan::cycle(const Intake& in, const HealthVector& h, const CycleInput<S>& input) const {
+Cycle<S> Turbofan::cycle(const Intake& in, const Operation& operation, const CycleInput<S>& input,
+                         const MetalTemperatures* metal) const {
   const FlowUnknownsOf<S>& x = input.unknowns;
-  const ComponentHealth fan_health{h[fan_efficiency], h[fan_flow]}, lpc_health{h[lpc_efficiency], h[lpc_flow]},
-      hpc_health{h[hpc_efficiency], h[hpc_flow]}, hpt_health{h[hpt_efficiency], h[hpt_flow]},
-      lpt_health{h[lpt_efficiency], h[lpt_flow]};
+  const Geometry& geometry = operation.geometry;
+  const ComponentFactors f = component_factors(*this, operation);
   Cycle<S> c;
 
   // fan: its map defines the flow of the engine; core and bypass leave it in the same state
   const S pt2 = S(in.fan_face_pt_pa), tt2 = S(in.tt_k);
-  const auto fan_map = read_map(data_.fan, pt2, tt2, input.n1_rpm, x.r_line_fan, fan_health);
+  const auto fan_map = read_map(data_.fan, pt2, tt2, input.n1_rpm, x.r_line_fan, f.fan);
   c.s2 = make_stream(fan_map.flow_capacity_kg_s, pt2, tt2, S(0.0));
-  c.fan = compress(data_.fan, c.s2, fan_map, fan_health);
+  c.fan = compress(data_.fan, c.s2, fan_map, f.fan);
   c.s21 = with_flow(c.fan.exit, S(c.s2.w_kg_s / (1.0 + x.bypass_ratio)));
   c.s13 = with_flow(c.fan.exit, S(c.s2.w_kg_s - c.s21.w_kg_s));
 
-  const Stream<S> s15 = duct(c.s13, data_.loss.bypass);
-  const auto bypass = exhaust(data_.bypass_nozzle, s15, in.ambient_p_pa);
-
   const Stream<S> s22 = duct(c.s21, data_.loss.fan_to_lpc);
-  const auto lpc_map = read_map(data_.lpc, s22.pt_pa, s22.tt_k, input.n1_rpm, x.r_line_lpc, lpc_health);
-  c.lpc = compress(data_.lpc, s22, lpc_map, lpc_health);
+  const auto lpc_map = read_map(data_.lpc, s22.pt_pa, s22.tt_k, input.n1_rpm, x.r_line_lpc, f.lpc);
+  c.lpc = compress(data_.lpc, s22, lpc_map, f.lpc);
   c.s24 = c.lpc.exit;
 
-  const Stream<S> s25 = duct(c.s24, data_.loss.lpc_to_hpc);
-  const auto hpc_map = read_map(data_.hpc, s25.pt_pa, s25.tt_k, input.n2_rpm, x.r_line_hpc, hpc_health);
-  c.hpc = compress(data_.hpc, s25, hpc_map, hpc_health);
-  c.s30 = c.hpc.exit;
+  const Stream<S> s15 = bypass(data_, c.s13, with_flow(c.s24, S(c.s24.w_kg_s * geometry.vbv_fraction)));
+  const auto bypass_jet = exhaust(data_.bypass_nozzle, s15, in.ambient_p_pa, 1.0);
 
-  const Bleeds<S> bleeds = bleed_off(c.s30, data_.cooling);
+  const Stream<S> s25 = duct(with_flow(c.s24, S(c.s24.w_kg_s * (1.0 - geometry.vbv_fraction))), data_.loss.lpc_to_hpc);
+  const auto hpc_map = read_map(data_.hpc, s25.pt_pa, s25.tt_k, input.n2_rpm, x.r_line_hpc, f.hpc);
+  c.hpc = compress(data_.hpc, s25, hpc_map, f.hpc);
+  c.s30 = soaked(data_, c, hpc_metal, c.hpc.exit, metal);
+
+  const Bleeds<S> bleeds = bleed_off(s25, c.hpc, c.s30, data_.air, operation.offtake.customer_bleed_kg_s);
   c.s40 = burn(data_.combustor, bleeds.main, input.fuel_flow_kg_s);
 
   const auto hpt =
-      expand(data_.hpt, c.s40, mix(c.s40, bleeds.to_hpt_inlet), input.n2_rpm, x.pressure_ratio_hpt, hpt_health);
-  const Stream<S> s45 = mix(hpt.exit, bleeds.to_hpt_exit);
+      expand(data_.hpt, c.s40, joined(c.s40, bleeds.to_hpt_inlet), input.n2_rpm, x.pressure_ratio_hpt, f.hpt);
+  const Stream<S> s45 = soaked(data_, c, hpt_metal, joined(hpt.exit, bleeds.to_hpt_exit), metal);
   c.s48 = duct(s45, data_.loss.hpt_to_lpt);
 
-  const auto lpt = expand(data_.lpt, c.s48, c.s48, input.n1_rpm, x.pressure_ratio_lpt, lpt_health);
-  c.s50 = lpt.exit;
+  const auto lpt =
+      expand(data_.lpt, c.s48, joined(c.s48, bleeds.to_lpt_inlet), input.n1_rpm, x.pressure_ratio_lpt, f.lpt);
+  c.s50 = soaked(data_, c, lpt_metal, joined(lpt.exit, bleeds.to_lpt_exit), metal);
   const Stream<S> s7 = duct(c.s50, data_.loss.lpt_to_nozzle);
-  const auto core = exhaust(data_.core_nozzle, s7, in.ambient_p_pa);
+  const auto core_jet = exhaust(data_.core_nozzle, s7, in.ambient_p_pa, geometry.core_nozzle_area_ratio);
 
   c.hp_turbine_power_w = hpt.power_w;
-  c.hp_absorbed_power_w = c.hpc.power_w;
+  c.hp_absorbed_power_w = bleeds.power_w + operation.offtake.power_w;
   c.lp_turbine_power_w = lpt.power_w;
-  c.lp_absorbed_power_w = c.fan.power_w + c.lpc.power_w;
-  c.gross_thrust_n = core.gross_thrust_n + bypass.gross_thrust_n;
+  c.lp_absorbed_power_w = c.s2.w_kg_s * c.fan.work_j_kg + s22.w_kg_s * c.lpc.work_j_kg;
+  c.gross_thrust_n = core_jet.gross_thrust_n + bypass_jet.gross_thrust_n;
   c.net_thrust_n = c.gross_thrust_n - c.s2.w_kg_s * in.flight_speed_m_s;
   c.core_nozzle_pressure_ratio = s7.pt_pa / in.ambient_p_pa;
   c.bypass_nozzle_pressure_ratio = s15.pt_pa / in.ambient_p_pa;
-  c.flow_residual = {closure(s22.w_kg_s, c.lpc.flow_capacity_kg_s), closure(s25.w_kg_s, c.hpc.flow_capacity_kg_s),
-                     closure(c.s40.w_kg_s, hpt.flow_capacity_kg_s), closure(c.s48.w_kg_s, lpt.flow_capacity_kg_s),
-                     closure(s7.w_kg_s, core.flow_capacity_kg_s),   closure(s15.w_kg_s, bypass.flow_capacity_kg_s)};
+  c.flow_residual = {
+      closure(s22.w_kg_s, c.lpc.flow_capacity_kg_s),   closure(s25.w_kg_s, c.hpc.flow_capacity_kg_s),
+      closure(c.s40.w_kg_s, hpt.flow_capacity_kg_s),   closure(c.s48.w_kg_s, lpt.flow_capacity_kg_s),
+      closure(s7.w_kg_s, core_jet.flow_capacity_kg_s), closure(s15.w_kg_s, bypass_jet.flow_capacity_kg_s)};
   return c;
 }
 
@@ -119,6 +159,9 @@ GasPath Turbofan::report(const CycleInput<S>& input, const Cycle<S>& c) const {
   g.speeds = {value(input.n1_rpm), value(input.n2_rpm)};
   g.n1_dot_rpm_s = shaft_acceleration_rpm_s(value(c.lp_turbine_power_w) - value(c.lp_absorbed_power_w), g.speeds.n1_rpm,
                                             data_.lp_inertia_kg_m2);
+  for (std::size_t i = 0; i < metal_count; ++i) {
+    g.metal_dot_k_s[i] = value(c.metal_heat_w[i]) / data_.metal[i].capacity_j_k;
+  }
   g.n2_dot_rpm_s = shaft_acceleration_rpm_s(value(c.hp_turbine_power_w) - value(c.hp_absorbed_power_w), g.speeds.n2_rpm,
                                             data_.hp_inertia_kg_m2);
   g.fuel_flow_kg_s = value(input.fuel_flow_kg_s);
@@ -132,7 +175,8 @@ GasPath Turbofan::report(const CycleInput<S>& input, const Cycle<S>& c) const {
   return g;
 }
 
-GasPath Turbofan::gas_path(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns) const {
+GasPath Turbofan::gas_path(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
+                           const MetalTemperatures* metal) const {
   require_valid(operation);
   require(speeds.n1_rpm > 0.0 && std::isfinite(speeds.n1_rpm), "n1_rpm", speeds.n1_rpm, "0 < value < infinity");
   require(speeds.n2_rpm > 0.0 && std::isfinite(speeds.n2_rpm), "n2_rpm", speeds.n2_rpm, "0 < value < infinity");
@@ -144,16 +188,19 @@ GasPath Turbofan::gas_path(const Operation& operation, const SpoolSpeeds& speeds
   std::array<double, flow_unknown_count> x = pack(unknowns);
   newton(flow_balance, x, [&](const std::array<D, flow_unknown_count>& trial) {
     input.unknowns = unpack(trial);
-    last = cycle(in, operation.health, input);
+    last = cycle(in, operation, input, metal);
     return last.flow_residual;
   });
   unknowns = {unpack(x)};
   return report(input, last);
 }
 
-template Cycle<double> Turbofan::cycle(const Intake&, const HealthVector&, const CycleInput<double>&) const;
-template Cycle<Dual<6>> Turbofan::cycle(const Intake&, const HealthVector&, const CycleInput<Dual<6>>&) const;
-template Cycle<Dual<9>> Turbofan::cycle(const Intake&, const HealthVector&, const CycleInput<Dual<9>>&) const;
+template Cycle<double> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<double>&,
+                                       const MetalTemperatures*) const;
+template Cycle<Dual<6>> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<Dual<6>>&,
+                                        const MetalTemperatures*) const;
+template Cycle<Dual<9>> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<Dual<9>>&,
+                                        const MetalTemperatures*) const;
 template GasPath Turbofan::report(const CycleInput<double>&, const Cycle<double>&) const;
 template GasPath Turbofan::report(const CycleInput<Dual<9>>&, const Cycle<Dual<9>>&) const;
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <string_view>
 
+#include "engine_sim/model/bleed.h"
 #include "engine_sim/model/engine_data.h"
 #include "engine_sim/model/gas_path.h"
 #include "engine_sim/model/inlet.h"
@@ -19,10 +20,13 @@
 
 namespace ehm::engine {
 
+/// All that acts on the engine from outside.
 struct Operation {
-  FlightCondition flight;
+  FlightCondition flight{};
   HealthVector health{};
   double fuel_flow_kg_s = 0.0;
+  Geometry geometry{};
+  Offtake offtake{};
   bool operator==(const Operation&) const = default;
 };
 
@@ -37,10 +41,11 @@ struct Cycle {
   S gross_thrust_n, net_thrust_n;
   S core_nozzle_pressure_ratio, bypass_nozzle_pressure_ratio;
   Compression<S> fan, lpc, hpc;
+  std::array<S, metal_count> metal_heat_w{};
   std::array<S, flow_unknown_count> flow_residual;
 };
 
-/// What drives the cycle besides the flow unknowns.
+/// What drives the cycle besides the operation: the spools, the fuel, and the flow unknowns.
 template <class S>
 struct CycleInput {
   S n1_rpm, n2_rpm, fuel_flow_kg_s;
@@ -51,16 +56,18 @@ class Turbofan {
  public:
   explicit Turbofan(const EngineData& data) : data_(data) {}
 
-  /// Closes all flow balances by Newton's method from `unknowns`, which it updates.
-  /// @throws std::invalid_argument if speeds, fuel flow or health are not finite or out of range (the message says
-  /// which)
+  /// Closes all flow balances by Newton's method from `unknowns`, which it updates. `metal`: temperatures for the heat
+  /// soak, or none.
+  /// @throws std::invalid_argument if speeds or operation are not finite or out of range (the message says which)
   /// @throws std::out_of_range for a flight condition outside the atmosphere's or the inlet's range
   /// @throws SolveError if a balance does not close, or a nozzle has no pressure ratio left
-  GasPath gas_path(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns) const;
+  GasPath gas_path(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
+                   const MetalTemperatures* metal = nullptr) const;
 
-  /// One evaluation along the station diagram; balances need not be closed.
+  /// One evaluation along the station diagram; balances need not be closed. The fuel flow is that of `input`.
   template <class S>
-  Cycle<S> cycle(const Intake& intake, const HealthVector& health, const CycleInput<S>& input) const;
+  Cycle<S> cycle(const Intake& intake, const Operation& operation, const CycleInput<S>& input,
+                 const MetalTemperatures* metal = nullptr) const;
 
   /// What is published of a closed cycle.
   template <class S>

@@ -21,6 +21,9 @@ EngineData make_jt9d() {
   const MapScale fan_scale{3943.959, 0.521629, 1.4369, 0.967977};
   const MapScale lpc_scale{3663.0036630036625, 0.932311, 3.2631, 0.96};
   const MapScale hpc_scale{6357.157841872056, 0.4206, 0.2163, 1.0137};
+  // Not in the model, whose map holds on the vane schedule: 1 % of flow and of pressure rise per degree, and 1 % of
+  // efficiency at 10 degrees, the usual first estimate for a multi-stage compressor (Kurzke's correction in GasTurb).
+  const VaneData hpc_vanes{.flow_per_deg = 0.01, .pressure_rise_per_deg = 0.01, .efficiency_per_deg2 = 1e-4};
   // HPT efficiency: 0.9803 of the model, times 0.9979 calibrated: ratio of the work in the 165 NPSS cases with power
   // code 40 and more to the work of this expansion with their PR and efficiency (0.9973 to 0.9988).
   const MapScale hpt_scale{1.53112, 1.4085, 0.425, 0.9803 * 0.9979};
@@ -30,7 +33,7 @@ EngineData make_jt9d() {
   // Ps30/P30 = 0.9412 there; a test recomputes it.
   constexpr double hpc_exit_area_m2 = 0.0773474;
 
-  const CoolingData cooling{0.055, 0.035};  // fractions of W25, taken at the HPC exit
+  const SecondaryAir air{.hpt_inlet = 0.055, .hpt_exit = 0.035};  // taken at the HPC exit
 
   // Fuel enthalpy: calibrated on the scale of gas.h, mean of (W4 h4 - W3 h3)/Wf - eff LHV over the 165 NPSS cases with
   // power code 40 and more (423.8 to 436.9 kJ/kg); it brings T4 within 0.02 % of them.
@@ -43,17 +46,21 @@ EngineData make_jt9d() {
   const NozzleData core_nozzle{862.88 * m2_per_in2, 0.9999};
   const NozzleData bypass_nozzle{2706.4 * m2_per_in2, 0.9975};
 
+  // Heat soak, not in the model: some 600, 350 and 700 kg of metal at 500 J/(kg K) behind HPC, HPT and LPT, which
+  // follow the gas with 25, 15 and 30 s. An estimate of the size of such an engine, for studies of its effect.
+  const std::array<HeatSoakData, metal_count> metal{{{12.0e3, 300e3}, {11.7e3, 175e3}, {11.7e3, 350e3}}};
+
   // Sea level static, ISA + 27 R, T4 2730 R.
   DesignPoint design{{0.0, 0.0, 15.0}, {3750.0, 8000.0}, 17873.61 / 3600.0 * kg_per_lbm, {}};
   design.unknowns = {{5.2751, 2.0, 1.769, 2.08, 2.700, 4.584}};
 
   return {.name = "JT9D",
           .inlet = inlet,
-          .fan = {CompressorMap(jt9d_maps::fan()), fan_scale},
-          .lpc = {CompressorMap(jt9d_maps::lpc()), lpc_scale},
-          .hpc = {CompressorMap(jt9d_maps::hpc()), hpc_scale},
+          .fan = {CompressorMap(jt9d_maps::fan()), fan_scale, {}},
+          .lpc = {CompressorMap(jt9d_maps::lpc()), lpc_scale, {}},
+          .hpc = {CompressorMap(jt9d_maps::hpc()), hpc_scale, hpc_vanes},
           .hpc_exit_area_m2 = hpc_exit_area_m2,
-          .cooling = cooling,
+          .air = air,
           .combustor = combustor,
           .hpt = {TurbineMap(jt9d_maps::hpt()), hpt_scale},
           .lpt = {TurbineMap(jt9d_maps::lpt()), lpt_scale},
@@ -62,6 +69,7 @@ EngineData make_jt9d() {
           .bypass_nozzle = bypass_nozzle,
           .lp_inertia_kg_m2 = 100.0 * kg_m2_per_slug_ft2,  // example values of the model
           .hp_inertia_kg_m2 = 20.0 * kg_m2_per_slug_ft2,
+          .metal = metal,
           .design = design};
 }
 

@@ -26,7 +26,7 @@ TEST(Turbofan, MassAndFuelAreConserved) {
   const Turbofan engine(jt9d());
   for (const FlightCondition& flight : {cruise, FlightCondition{}, FlightCondition{6000.0, 0.5, 10.0}}) {
     const GasPath g = solve_steady(engine, flight, {}, {DemandKind::t40_k, 1250.0}).gas;
-    const CoolingData& cooling = engine.data().cooling;
+    const SecondaryAir& cooling = engine.data().air;
     EXPECT_NEAR(g.s13.w_kg_s + g.s21.w_kg_s, g.s2.w_kg_s, 1e-9 * g.s2.w_kg_s);
     EXPECT_NEAR(g.s30.w_kg_s * (1.0 - cooling.hpt_inlet - cooling.hpt_exit) + g.fuel_flow_kg_s, g.s40.w_kg_s,
                 1e-9 * g.s40.w_kg_s);
@@ -71,19 +71,20 @@ TEST(Turbofan, JacobianIsThatOfCentralDifferences) {
   const Turbofan engine(jt9d());
   const SteadyPoint at = cruise_point(engine);
   const Intake in = intake(engine.data().inlet, cruise);
-  const HealthVector health{-0.01, 0.01, -0.02, 0.0, -0.01, -0.02, -0.03, 0.01, 0.0, 0.02};
+  Operation worn = at.operation;
+  worn.health = {-0.01, 0.01, -0.02, 0.0, -0.01, -0.02, -0.03, 0.01, 0.0, 0.02};
   const std::array<double, flow_unknown_count> x = pack(at.unknowns);
   std::array<Dual<6>, 6> seeded;
   for (std::size_t i = 0; i < 6; ++i) seeded[i] = Dual<6>::variable(x[i], i);
   const auto exact = engine.cycle<Dual<6>>(
-      in, health, {at.gas.speeds.n1_rpm, at.gas.speeds.n2_rpm, at.gas.fuel_flow_kg_s, unpack(seeded)});
+      in, worn, {at.gas.speeds.n1_rpm, at.gas.speeds.n2_rpm, at.gas.fuel_flow_kg_s, unpack(seeded)});
   for (std::size_t j = 0; j < 6; ++j) {
     const double step = 1e-5;
     const auto shifted = [&](double by) {
       std::array<double, 6> moved = x;
       moved[j] += by;
       return engine
-          .cycle<double>(in, health, {at.gas.speeds.n1_rpm, at.gas.speeds.n2_rpm, at.gas.fuel_flow_kg_s, unpack(moved)})
+          .cycle<double>(in, worn, {at.gas.speeds.n1_rpm, at.gas.speeds.n2_rpm, at.gas.fuel_flow_kg_s, unpack(moved)})
           .flow_residual;
     };
     const auto above = shifted(step), below = shifted(-step);
