@@ -64,8 +64,8 @@ void append_speed(CompressorTarget& t, double speed, bool below, double phi_fact
   append_row(t.psi, t.psi.row(edge).array() + psi_shift, below);
   append_row(t.efficiency, eff, below);
   append_row(t.flow_weight, t.flow_weight.row(edge) * extension_weight, below);
-  append_row(t.pressure_weight, t.pressure_weight.row(edge) * extension_weight, below);
-  append_row(t.efficiency_weight, t.efficiency_weight.row(edge) * extension_weight, below);
+  append_row(t.pressure_weight, t.pressure_weight.row(edge).cwiseMin(extension_weight), below);
+  append_row(t.efficiency_weight, t.efficiency_weight.row(edge).cwiseMin(extension_weight), below);
   t.speed.insert(below ? t.speed.begin() : t.speed.end(), speed);
 }
 
