@@ -5,13 +5,12 @@ cd "$(dirname "$0")/.."
 failures=0
 
 # forbid WHY PATTERN PATH...: no file below the paths includes what matches the pattern.
-# maps/fit_* is exempt: the offline program that fits the maps, a target of its own, reads and writes files by design.
 forbid() {
   local why=$1 pattern=$2
   shift 2
   local found
   for path in "$@"; do [ -e "$path" ] || { echo "layers: $path does not exist"; failures=$((failures + 1)); }; done
-  found=$(grep -rnE --include='*.h' --include='*.cpp' "#include [<\"]($pattern)" "$@" | grep -v '/maps/fit_')
+  found=$(grep -rnE --include='*.h' --include='*.cpp' "#include [<\"]($pattern)" "$@")
   if [ -n "$found" ]; then
     echo "layers: $why"
     echo "$found"

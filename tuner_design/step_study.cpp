@@ -27,8 +27,10 @@ Eigen::MatrixXd differences(const EngineLayout& layout, const engine::Turbofan& 
     const double step = relative_step * size(j);
     const Eigen::VectorXd s = step * Eigen::VectorXd::Unit(layout.inputs(), j);
     const bool shut = j == layout.fuel() + 2 && v(j) < step;
-    result.col(j) =
-        shut ? (-3.0 * f(v) + 4.0 * f(v + s) - f(v + 2.0 * s)) / (2.0 * step) : (f(v + s) - f(v - s)) / (2.0 * step);
+    if (shut)
+      result.col(j) = (-3.0 * f(v) + 4.0 * f(v + s) - f(v + 2.0 * s)) / (2.0 * step);
+    else
+      result.col(j) = (f(v + s) - f(v - s)) / (2.0 * step);
   }
   return result;
 }

@@ -1,8 +1,10 @@
-#include "engine_sim/model/maps/compressor_table.h"
+#include "tuner_design/map_fit/compressor_table.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-namespace ehm::engine {
+namespace ehm::bench {
 namespace {
 
 using Eigen::Index;
@@ -24,7 +26,8 @@ CompressorTarget bare_target(const CompressorTable& t, double flow_exponent, dou
       out.phi(i, j) = t.flow(i, j) / std::pow(n, flow_exponent);
       out.psi(i, j) = weight > 0.0 ? std::log((pr - 1.0) / std::pow(n, pressure_exponent)) : 0.0;
       // relative errors of Wc and PR count; a choked line keeps its flow to the end, clipped or not
-      out.flow_weight(i, j) = std::max(weight, 0.3) / out.phi(i, j);
+      const bool choked = t.flow(i, j) >= (1.0 - 1e-4) * t.flow(i, t.flow.cols() - 1);
+      out.flow_weight(i, j) = (choked ? 2.0 : 1.0) * std::max(weight, 0.3) / out.phi(i, j);
       out.pressure_weight(i, j) = weight * (pr - 1.0) / pr;
       out.efficiency_weight(i, j) = weight;
     }
@@ -131,6 +134,34 @@ CompressorTable read_compressor_table(const nlohmann::json& map) {
           read_rows(map.at("EffArray"))};
 }
 
+CompressorTable move_corner(const CompressorTable& table, const Corner& corner) {
+  constexpr double step = 0.0025;
+  const auto found = std::find(table.speed.begin(), table.speed.end(), corner.at);
+  const auto kept = std::distance(table.speed.begin(), found) + 1;
+  if (kept < 2 || kept >= std::ssize(table.speed)) {
+    throw std::invalid_argument("map fit: the corner n = " + std::to_string(corner.at) +
+                                " is not an inner speed line of the table");
+  }
+  const double below = at(table.speed, kept - 2), highest = table.speed.back();
+  const auto added = static_cast<Index>(std::lround((highest - corner.moved_to) / step)) + 1;
+
+  CompressorTable out = table;
+  out.speed.resize(static_cast<std::size_t>(kept));
+  const Eigen::VectorXd share = Eigen::VectorXd::LinSpaced(added, 0.0, 1.0);
+  for (const double s : share) out.speed.push_back(corner.moved_to + s * (highest - corner.moved_to));
+  const auto moved = [&](const MatrixXd& z) {
+    const Eigen::RowVectorXd slope = (z.row(kept - 1) - z.row(kept - 2)) / (corner.at - below);
+    const Eigen::RowVectorXd bend = z.row(kept - 1) + slope * (corner.moved_to - corner.at);
+    MatrixXd rows(kept + added, z.cols());
+    rows << z.topRows(kept), bend.replicate(added, 1) + share * (z.bottomRows<1>() - bend);
+    return rows;
+  };
+  out.flow = moved(table.flow);
+  out.pressure_ratio = moved(table.pressure_ratio);
+  out.efficiency = moved(table.efficiency);
+  return out;
+}
+
 double sample_weight(double r_line, double pressure_ratio, double efficiency) {
   if (pressure_ratio <= 1.001 || efficiency < 0.05) return 0.0;
   if (efficiency < 0.5) return 0.1;
@@ -159,4 +190,4 @@ CompressorTarget fit_target(const CompressorTable& table, double flow_exponent, 
   return t;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::bench
