@@ -64,8 +64,8 @@ void append_speed(CompressorTarget& t, double speed, bool below, double phi_fact
   append_row(t.psi, t.psi.row(edge).array() + psi_shift, below);
   append_row(t.efficiency, eff, below);
   append_row(t.flow_weight, t.flow_weight.row(edge) * extension_weight, below);
-  append_row(t.pressure_weight, t.pressure_weight.row(edge) * extension_weight, below);
-  append_row(t.efficiency_weight, t.efficiency_weight.row(edge) * extension_weight, below);
+  append_row(t.pressure_weight, t.pressure_weight.row(edge).cwiseMin(extension_weight), below);
+  append_row(t.efficiency_weight, t.efficiency_weight.row(edge).cwiseMin(extension_weight), below);
   t.speed.insert(below ? t.speed.begin() : t.speed.end(), speed);
 }
 
@@ -84,6 +84,35 @@ void append_choked_line(CompressorTarget& t, double r_line) {
   append(t.efficiency, none);
   append(t.efficiency_weight, none);
   t.r_line.push_back(r_line);
+}
+
+/// Ideal work over cp T1 of a pressure ratio, for air at low temperature.
+double ideal_work(double pressure_ratio) {
+  return std::pow(pressure_ratio, 2.0 / 7.0) - 1.0;
+}
+
+/// Beyond the last sample with a pressure rise, speed line by speed line: ln(PR - 1) goes on straight and so does the
+/// work, down to a tenth; the efficiency is what both give. So a choking compressor absorbs less and less.
+void continue_into_choke(CompressorTarget& t, double pressure_exponent) {
+  for (Index i = 0; i < t.phi.rows(); ++i) {
+    const double psi_of_speed = pressure_exponent * std::log(at(t.speed, i));
+    const auto work = [&](Index j) {
+      return ideal_work(1.0 + std::exp(t.psi(i, j) + psi_of_speed)) / t.efficiency(i, j);
+    };
+    Index last = t.psi.cols() - 1;
+    while (t.efficiency_weight(i, last) == 0.0) --last;
+    const double step = at(t.r_line, last) - at(t.r_line, last - 1);
+    const double psi_slope = std::min(0.0, (t.psi(i, last) - t.psi(i, last - 1)) / step);
+    const double work_slope = std::min(0.0, (work(last) - work(last - 1)) / step);
+    for (Index j = last + 1; j < t.psi.cols(); ++j) {
+      const double beyond = at(t.r_line, j) - at(t.r_line, last);
+      t.psi(i, j) = t.psi(i, last) + psi_slope * beyond;
+      const double work_j = std::max(work(last) + work_slope * beyond, 0.1 * work(last));
+      t.efficiency(i, j) = ideal_work(1.0 + std::exp(t.psi(i, j) + psi_of_speed)) / work_j;
+      t.pressure_weight(i, j) = extension_weight * t.pressure_weight(i, last);
+      t.efficiency_weight(i, j) = extension_weight;
+    }
+  }
 }
 
 }  // namespace
@@ -119,6 +148,7 @@ CompressorTarget fit_target(const CompressorTable& table, double flow_exponent, 
 
   append_choked_line(t, table.r_line.back() + 0.4);
   append_choked_line(t, table.r_line.back() + 0.8);
+  continue_into_choke(t, pressure_exponent);
   append_speed(t, 0.5 * lowest, true, 1.0, 0.0, 0.0);
   append_speed(t, 0.1 * lowest, true, 1.0, 0.0, 0.0);
   for (const double ratio : {1.08, 1.08}) {
