@@ -1,32 +1,9 @@
 #include "engine_sim/model/transient.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 namespace ehm::engine {
-namespace {
-
-using Change = std::array<double, flow_unknown_count>;
-
-Change change(const FlowUnknowns& from, const FlowUnknowns& to) {
-  const auto a = pack(from), b = pack(to);
-  Change out;
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = b[i] - a[i];
-  return out;
-}
-
-/// Where `by` leads, kept inside the box of the unknowns.
-FlowUnknowns changed(const FlowUnknowns& from, const Change& by) {
-  auto x = pack(from);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = std::clamp(x[i] + by[i], flow_unknown_box::lower[i], flow_unknown_box::upper[i]);
-  }
-  return {unpack(x)};
-}
-
-}  // namespace
-
 Transient::Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak heat_soak)
     : balance_(engine),
       heat_soak_(heat_soak),
@@ -36,7 +13,7 @@ Transient::Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak 
 
 const GasPath& Transient::output(const Operation& operation) {
   if (!present_ || !(present_->operation == operation)) {
-    present_ = solve(operation, state_, changed(predicted_, corrected_by_));
+    present_ = solve(operation, state_, correction_.continued(predicted_));
   }
   return present_->gas;
 }
@@ -48,11 +25,11 @@ void Transient::step(const Operation& operation, double dt_s) {
   output(operation);
   const Solved now = *present_;
   // y* = y + dt f(y)
-  const Solved then = solve(operation, moved(state_, now.gas, dt_s), changed(now.unknowns, advanced_by_));
+  const Solved then = solve(operation, moved(state_, now.gas, dt_s), advance_.continued(now.unknowns));
   // y <- y + dt/2 (f(y) + f(y*))
   state_ = moved(moved(state_, now.gas, 0.5 * dt_s), then.gas, 0.5 * dt_s);
-  corrected_by_ = change(predicted_, now.unknowns);
-  advanced_by_ = change(now.unknowns, then.unknowns);
+  correction_.add(predicted_, now.unknowns);
+  advance_.add(now.unknowns, then.unknowns);
   predicted_ = then.unknowns;
   present_.reset();
 }

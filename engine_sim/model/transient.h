@@ -3,7 +3,7 @@
 //   Heun (second order): y* = y + dt f(y),  y <- y + dt/2 (f(y) + f(y*)),  operation held over the step
 // States y: N1, N2 in rpm; with heat soak also the three metal temperatures of heat_soak.h in K, which start in balance
 // with the gas (no heat flows). dt in s. The volumes of the gas path are quasi-steady: they fill in milliseconds.
-// Each balance starts from where the last step's changes would lead, so that one or two evaluations less close it.
+// Each balance starts from where the changes of the last steps lead (unknowns_trend.h).
 // Errors: those of Turbofan::gas_path; @throws std::invalid_argument if dt_s is not within 0 to 0.1 s.
 // Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.1 (Heun's second-order method).
 
@@ -12,6 +12,7 @@
 #include "engine_sim/model/flow_balance.h"
 #include "engine_sim/model/steady.h"
 #include "engine_sim/model/turbofan.h"
+#include "engine_sim/model/unknowns_trend.h"
 
 namespace ehm::engine {
 
@@ -39,7 +40,6 @@ class Transient {
     FlowUnknowns unknowns;
     GasPath gas;
   };
-  using Change = std::array<double, flow_unknown_count>;  ///< of the unknowns
 
   static State moved(const State& from, const GasPath& rates, double dt_s);
   Solved solve(const Operation& operation, const State& at, const FlowUnknowns& guess);
@@ -49,8 +49,8 @@ class Transient {
   State state_;
   std::optional<Solved> present_;  ///< solved at the present state, so that step() after output() solves it once
   FlowUnknowns predicted_;         ///< solution at the last y*
-  Change corrected_by_{};          ///< from the last but one y* to the present state, as found one step ago
-  Change advanced_by_{};           ///< from the last present state to its y*
+  UnknownsTrend correction_;       ///< of the unknowns from y* to the next y
+  UnknownsTrend advance_;          ///< of the unknowns from y to its y*
 };
 
 }  // namespace ehm::engine
