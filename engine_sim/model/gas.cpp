@@ -15,8 +15,9 @@ constexpr double mixed(AirAndFuel x, double share) {
   return x[0] + share * x[1];
 }
 
+constexpr int terms = 9;
 struct Coefficients {
-  AirAndFuel c[9];  ///< constant term first
+  AirAndFuel c[terms];  ///< constant term first
 };
 
 // Walsh & Fletcher F3.23, kJ/(kg K); the integration constants are MJ/kg and kJ/(kg K).
@@ -32,12 +33,11 @@ constexpr Coefficients specific_heat{{{0.992313, -0.718874},
 constexpr AirAndFuel enthalpy_constant{0.422178, 0.0555930};
 constexpr AirAndFuel entropy_constant{0.001053, -0.0016079};
 
-constexpr int terms = 9;
 constexpr double lowest_k = 200.0;
 constexpr double highest_k = 2000.0;
 
-// integral of Z^i dZ = Z Z^i/(i+1);  integral of Z^i dZ/Z = Z Z^(i-1)/i for i > 0, ln Z for i = 0;  d(Z^i)/dZ = i
-// Z^(i-1)
+// integral of Z^i dZ = Z Z^i/(i+1);  integral of Z^i dZ/Z = Z Z^(i-1)/i for i > 0, ln Z for i = 0;
+// d(Z^i)/dZ = i Z^(i-1)
 constexpr Coefficients integrated() {
   Coefficients out{};
   for (int i = 0; i < terms; ++i) out.c[i] = specific_heat.c[i] * (1.0 / (i + 1));
@@ -71,9 +71,8 @@ double fuel_share_slope(double f) {
   return 1.0 / ((1.0 + f) * (1.0 + f));
 }
 
-/// h or phi at one temperature, with all that an inversion needs. `t_k` is within the range of the polynomials or
-/// beyond.
-struct Expansion {
+/// h or phi at one temperature, with all that an inversion needs.
+struct Evaluation {
   double value;
   double cp;        ///< J/(kg K)
   double cp_slope;  ///< J/(kg K2), zero beyond the range
@@ -81,7 +80,7 @@ struct Expansion {
   double cp_by_share;
 };
 
-inline Expansion expand_enthalpy(double t_k, double share) {
+inline Evaluation evaluate_enthalpy(double t_k, double share) {
   const double inside_k = std::clamp(t_k, lowest_k, highest_k);
   const double z = inside_k * 1e-3, beyond_k = t_k - inside_k;  // cp constant beyond the edge
   const AirAndFuel cp = polynomial(specific_heat, z) * 1e3;
@@ -90,7 +89,7 @@ inline Expansion expand_enthalpy(double t_k, double share) {
   return {mixed(h, share), mixed(cp, share), slope, h[1], cp[1]};
 }
 
-inline Expansion expand_entropy(double t_k, double share) {
+inline Evaluation evaluate_entropy(double t_k, double share) {
   const double inside_k = std::clamp(t_k, lowest_k, highest_k);
   const double z = inside_k * 1e-3;
   const AirAndFuel cp = polynomial(specific_heat, z) * 1e3;
@@ -136,12 +135,12 @@ double gas_constant_j_kgk(double f) {
 }
 
 GasProperty enthalpy_property(double t_k, double f) {
-  const Expansion h = expand_enthalpy(t_k, fuel_share(f));
+  const Evaluation h = evaluate_enthalpy(t_k, fuel_share(f));
   return {h.value, h.cp, fuel_share_slope(f) * h.by_share};
 }
 
 GasProperty entropy_property(double t_k, double f) {
-  const Expansion phi = expand_entropy(t_k, fuel_share(f));
+  const Evaluation phi = evaluate_entropy(t_k, fuel_share(f));
   return {phi.value, phi.cp / t_k, fuel_share_slope(f) * phi.by_share};
 }
 
@@ -149,9 +148,9 @@ GasTemperature temperature_from_enthalpy(double h_j_kg, double f, double guess_k
   require_finite(h_j_kg, "enthalpy");
   const double share = fuel_share(f);
   double t = guess_k, step = 0.0;
-  Expansion h{};
+  Evaluation h{};
   for (int i = 0; i < most_steps; ++i) {
-    h = expand_enthalpy(t, share);
+    h = evaluate_enthalpy(t, share);
     step = halley_step(h_j_kg - h.value, h.cp, h.cp_slope);
     t += step;
     if (std::abs(step) < last_step * std::abs(t)) break;
@@ -163,17 +162,17 @@ GasTemperature temperature_from_enthalpy(double h_j_kg, double f, double guess_k
 
 IsentropicTemperature isentropic_change(double t_k, double f, double log_pressure_ratio) {
   const double share = fuel_share(f), r = gas_constant_j_kgk(f);
-  const Expansion from = expand_entropy(t_k, share);
+  const Evaluation from = evaluate_entropy(t_k, share);
   const double target = from.value + r * log_pressure_ratio;
   require_finite(target, "entropy function");
   // Halley in ln T, in which phi is nearly straight: d(phi)/d(ln T) = cp
-  Expansion phi = from;
+  Evaluation phi = from;
   double t = t_k, step = 0.0;
   for (int i = 0; i < most_steps; ++i) {
     step = std::clamp(halley_step(target - phi.value, phi.cp, phi.cp_slope * t), -1.0, 1.0);
     t *= step_factor(step);
     if (std::abs(step) < last_step) break;
-    phi = expand_entropy(t, share);
+    phi = evaluate_entropy(t, share);
   }
   // cp2 dT2/T2 = cp1 dT1/T1 + R dln(p2/p1) + (phi_f1 - phi_f2) df
   const double by_phi = t / (phi.cp + phi.cp_slope * step * t);
