@@ -79,7 +79,7 @@ struct DuctLosses {
 /// What bounds the steady power of the engine (ratings.h).
 struct Ratings {
   double t40_max_k, n1_max_rpm, n2_max_rpm;
-  double corrected_n1_max_rpm;                                        ///< N1/sqrt(theta2): the end of the fan's map
+  double corrected_n1_max_rpm, corrected_n2_max_rpm;                  ///< N/sqrt(theta2): the ends of fan and HPC map
   double ground_idle_corrected_n2_rpm, flight_idle_corrected_n2_rpm;  ///< N2/sqrt(theta2)
 };
 

@@ -32,4 +32,21 @@ double static_pressure_pa(const Station& total, double area_m2) {
                    " kg/s chokes the area of " + std::to_string(area_m2) + " m2");
 }
 
+double area_at_mach_m2(const Station& total, double mach) {
+  const double f = total.fuel_air_ratio, r = gas_constant_j_kgk(f);
+  const double h_total = enthalpy_property(total.tt_k, f).value;
+  double t = total.tt_k;
+  for (int i = 0; i < 50; ++i) {
+    // h(T) = ht - M^2 gamma R T/2; the right hand side moves by less than M^2/5 of T
+    const double cp = specific_heat_j_kgk(t, f), gamma = cp / (cp - r);
+    const double next = temperature_from_enthalpy(h_total - 0.5 * mach * mach * gamma * r * t, f, t);
+    if (std::abs(next - t) < 1e-12 * t) break;
+    t = next;
+  }
+  const double v_m_s = std::sqrt(2.0 * (h_total - enthalpy_property(t, f).value));
+  const double phi_difference = entropy_property(t, f).value - entropy_property(total.tt_k, f).value;
+  const double p_pa = total.pt_pa * std::exp(phi_difference / r);
+  return total.w_kg_s * r * t / (p_pa * v_m_s);
+}
+
 }  // namespace ehm::engine

@@ -129,14 +129,11 @@ class Approach {
       plane.normal[i] = d / (size[i] * size[i]) / distance(before, at);
       plane.through[i] = at.x[i] + length * d;
     }
-    return attempt_on(plane);
-  }
-
-  std::optional<Solution> attempt_on(const Plane& plane) {
     try {
       const Solution s = solve_on(engine_, target_.operation, plane, plane.through);
       iterations_ += s.iterations;
-      return s;
+      // far off the guess lies another branch
+      return distance(s.x, plane.through) < std::abs(length) * distance(before, at) ? std::optional(s) : std::nullopt;
     } catch (const SolveError&) {
       return std::nullopt;
     }
@@ -148,17 +145,26 @@ class Approach {
       for (const Solution& from : {a, b}) {
         if (const auto s = attempt(target_.operation, target_.demand, from.x)) return *s;
       }
-      const auto mid = step_beyond(a, b, -0.5);
+      const auto mid = split(a, b);
       if (!mid || distance(a, b) < 1e-9) return solve(target_.operation, target_.demand, a.x);
       (excess(a) * excess(*mid) <= 0.0 ? b : a) = *mid;
     }
   }
 
-  static double distance(const Solution& a, const Solution& b) {
+  /// A point of the line between two others, near the middle if it can be.
+  std::optional<Solution> split(const Solution& a, const Solution& b) {
+    for (const double share : {0.5, 0.2, 0.8, 0.05, 0.95, 0.01, 0.99}) {
+      if (auto s = step_beyond(a, b, share - 1.0)) return s;
+    }
+    return std::nullopt;
+  }
+
+  static double distance(const Unknowns& a, const Unknowns& b) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < unknown_count; ++i) sum += std::pow((b.x[i] - a.x[i]) / size[i], 2);
+    for (std::size_t i = 0; i < unknown_count; ++i) sum += std::pow((b[i] - a[i]) / size[i], 2);
     return std::sqrt(sum);
   }
+  static double distance(const Solution& a, const Solution& b) { return distance(a.x, b.x); }
   static bool on_the_map(const Solution& s) { return s.x[n1] > lowest_of_design_n1 && s.x[n1] < highest_of_design_n1; }
 
   [[noreturn]] void out_of_reach(const Solution& last) const {

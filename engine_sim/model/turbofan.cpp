@@ -186,6 +186,8 @@ GasPath Turbofan::gas_path(const Operation& operation, const SpoolSpeeds& speeds
 
 template Cycle<double> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<double>&,
                                        const MetalTemperatures*) const;
+template Cycle<Dual<3>> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<Dual<3>>&,
+                                        const MetalTemperatures*) const;
 template Cycle<Dual<6>> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<Dual<6>>&,
                                         const MetalTemperatures*) const;
 template Cycle<Dual<9>> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<Dual<9>>&,

@@ -118,7 +118,8 @@ void write_compressor(std::ostream& out, const CompressorSettings& s, const nloh
   const CompressorFit fit = fit_compressor(s, table);
 
   const ehm::engine::CompressorMap fitted({s.flow_exponent, s.pressure_exponent, s.speed_breaks, s.r_line_breaks,
-                                           fit.flow, fit.pressure, fit.efficiency, s.surge_flow_breaks, fit.surge});
+                                           fit.flow, fit.pressure, fit.efficiency, s.surge_flow_breaks, fit.surge,
+                                           r.back()});
   Deviation flow, pressure, efficiency, surge;
   for (Eigen::Index i = 0; i < wc.rows(); ++i) {
     surge.add(100.0 * (fitted.surge_pressure_ratio(wc(i, 0)) / pr(i, 0) - 1.0));
@@ -143,6 +144,7 @@ void write_compressor(std::ostream& out, const CompressorSettings& s, const nloh
   write_array(out, prefix + "efficiency", fit.efficiency);
   write_array(out, prefix + "surge_flow_breaks", s.surge_flow_breaks);
   write_array(out, prefix + "surge_pressure_ratio", fit.surge);
+  out << "constexpr double " << prefix << "last_r_line = " << r.back() << ";\n";
 }
 
 void write_turbine(std::ostream& out, const TurbineSettings& s, const nlohmann::json& map) {
@@ -185,7 +187,8 @@ void write_accessors(std::ostream& out) {
     const std::string m = lower(s.name);
     out << "\nCompressorMapData " << m << "() {\n  return {" << s.flow_exponent << ", " << s.pressure_exponent << ", "
         << m << "_speed_breaks, " << m << "_r_line_breaks, " << m << "_flow, " << m << "_pressure,\n          " << m
-        << "_efficiency, " << m << "_surge_flow_breaks, " << m << "_surge_pressure_ratio};\n}\n";
+        << "_efficiency, " << m << "_surge_flow_breaks, " << m << "_surge_pressure_ratio, " << m
+        << "_last_r_line};\n}\n";
   }
   for (const auto& s : turbines) {
     const std::string m = lower(s.name);

@@ -65,6 +65,7 @@ constexpr double fan_surge_flow_breaks[] = {
     1129.0825, 1636, 2049, 2562, 2954, 3275.6797,};
 constexpr double fan_surge_pressure_ratio[] = {
     1.1118964, 1.14110304, 1.20084111, 1.34554116, 1.47644375, 1.61085822, 1.68702684, 1.72238317,};
+constexpr double fan_last_r_line = 3.2;
 
 // LPC: flow rms 0.0231 max 0.0838 %, PR rms 0.0858 max 0.313 %, efficiency rms 0.0857 max 0.316 points, surge PR rms 0.0431 max 0.0962 %
 constexpr double lpc_speed_breaks[] = {
@@ -127,6 +128,7 @@ constexpr double lpc_surge_flow_breaks[] = {
     38.0744, 87, 125, 165, 227.8569,};
 constexpr double lpc_surge_pressure_ratio[] = {
     1.04225844, 1.07094557, 1.15592167, 1.32774633, 1.59989691, 1.87042402, 2.05107848,};
+constexpr double lpc_last_r_line = 3.2;
 
 // HPC: flow rms 0.135 max 0.327 %, PR rms 0.134 max 0.387 %, efficiency rms 0.0235 max 0.0715 points, surge PR rms 0.0604 max 0.153 %
 constexpr double hpc_speed_breaks[] = {
@@ -195,6 +197,7 @@ constexpr double hpc_surge_flow_breaks[] = {
     22.7411, 56, 89, 138, 181, 202, 216.6847,};
 constexpr double hpc_surge_pressure_ratio[] = {
     2.47878692, 3.66097396, 6.18186643, 11.0401391, 16.9965031, 22.7399929, 26.3606921, 27.8840252, 28.4660425,};
+constexpr double hpc_last_r_line = 3;
 
 // HPT: flow rms 0.000978 max 0.00534 %, efficiency rms 0.00883 max 0.0365 points
 constexpr double hpt_speed_breaks[] = {
@@ -250,17 +253,17 @@ constexpr double lpt_efficiency[] = {
 
 CompressorMapData fan() {
   return {1, 2.2, fan_speed_breaks, fan_r_line_breaks, fan_flow, fan_pressure,
-          fan_efficiency, fan_surge_flow_breaks, fan_surge_pressure_ratio};
+          fan_efficiency, fan_surge_flow_breaks, fan_surge_pressure_ratio, fan_last_r_line};
 }
 
 CompressorMapData lpc() {
   return {1.05, 2.05, lpc_speed_breaks, lpc_r_line_breaks, lpc_flow, lpc_pressure,
-          lpc_efficiency, lpc_surge_flow_breaks, lpc_surge_pressure_ratio};
+          lpc_efficiency, lpc_surge_flow_breaks, lpc_surge_pressure_ratio, lpc_last_r_line};
 }
 
 CompressorMapData hpc() {
   return {1.6, 2.8, hpc_speed_breaks, hpc_r_line_breaks, hpc_flow, hpc_pressure,
-          hpc_efficiency, hpc_surge_flow_breaks, hpc_surge_pressure_ratio};
+          hpc_efficiency, hpc_surge_flow_breaks, hpc_surge_pressure_ratio, hpc_last_r_line};
 }
 
 TurbineMapData hpt() {
