@@ -39,7 +39,7 @@ double area_at_mach_m2(const Station& total, double mach) {
   for (int i = 0; i < 50; ++i) {
     // h(T) = ht - M^2 gamma R T/2; the right hand side moves by less than M^2/5 of T
     const double cp = specific_heat_j_kgk(t, f), gamma = cp / (cp - r);
-    const double next = temperature_from_enthalpy(h_total - 0.5 * mach * mach * gamma * r * t, f, t);
+    const double next = temperature_from_enthalpy(h_total - 0.5 * mach * mach * gamma * r * t, f, t).t_k;
     if (std::abs(next - t) < 1e-12 * t) break;
     t = next;
   }
