@@ -14,6 +14,8 @@ packages=(
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libssl-dev
   # an independent DDS for the interoperability tests and the C example
   cyclonedds-dev cyclonedds-tools
+  # measurements: tests/bench
+  libbenchmark-dev valgrind
   # pictures of the documentation
   gnuplot-nox graphviz
 )

@@ -65,11 +65,12 @@ class CompressorMap {
 
 template <class S>
 CompressorMapPoint<S> CompressorMap::at(const S& speed, const S& r_line) const {
-  using std::exp, std::pow;
+  using std::exp, std::log;
   const Values m = values(value(speed), value(r_line));
   const auto surface_at = [&](const SurfaceValue& s) { return chain(s.f, s.by_x, speed, s.by_y, r_line); };
-  return {pow(speed, data_.flow_exponent) * surface_at(m.flow),
-          1.0 + pow(speed, data_.pressure_exponent) * exp(surface_at(m.pressure)), surface_at(m.efficiency),
+  const S log_speed = log(speed);
+  return {exp(data_.flow_exponent * log_speed) * surface_at(m.flow),
+          1.0 + exp(data_.pressure_exponent * log_speed + surface_at(m.pressure)), surface_at(m.efficiency),
           value(r_line) > data_.last_r_line
               ? S(exp(-choke_rate * (r_line - data_.last_r_line) * (r_line - data_.last_r_line)))
               : S(1.0)};
