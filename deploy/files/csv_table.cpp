@@ -31,8 +31,8 @@ class LineParser {
     Record record;
     const std::size_t done = csv_parse(&parser_, line.data(), line.size(), on_cell, on_end, &record);
     if (done != line.size() || csv_fini(&parser_, on_cell, on_end, &record) != 0)
-      throw FileError(place + ": quotes do not match: " + quoted(line));
-    if (record.ends > 1) throw FileError(place + ": carriage return within the line: " + quoted(line));
+      throw FileError(place + ": quotes do not match: " + in_quotes(line));
+    if (record.ends > 1) throw FileError(place + ": carriage return within the line: " + in_quotes(line));
     return std::move(record.cells);
   }
 
@@ -57,7 +57,7 @@ void require_distinct(const CsvTable& table) {
   const auto& names = table.header.cells;
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (std::find(names.begin(), name, *name) != name)
-      throw FileError(table.place(table.header) + ": column " + quoted(*name) + " appears twice");
+      throw FileError(table.place(table.header) + ": column " + in_quotes(*name) + " appears twice");
   }
 }
 
@@ -117,7 +117,7 @@ std::string shortest(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string out = "'";
   for (const char c : text.substr(0, longest)) out += c >= ' ' && c <= '~' ? c : '?';

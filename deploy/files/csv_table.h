@@ -38,6 +38,6 @@ std::optional<double> parse_number(std::string_view text);
 std::string shortest(double value);
 
 /// A user's text as messages repeat it: in quotes, unprintable characters replaced, long text cut.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace ehm::files

@@ -11,7 +11,7 @@ namespace {
 using files::CsvRow;
 using files::CsvTable;
 using files::FileError;
-using files::quoted;
+using files::in_quotes;
 
 std::string names_of(bool (*chosen)(const DeckInput&)) {
   std::string names;
@@ -28,7 +28,7 @@ std::vector<const DeckInput*> resolve(const CsvTable& table) {
   for (const std::string& name : table.header.cells) {
     const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const DeckInput& i) { return i.name == name; });
     if (found == inputs.end())
-      throw FileError(table.place(table.header) + ": unknown column " + quoted(name) + ", allowed are " +
+      throw FileError(table.place(table.header) + ": unknown column " + in_quotes(name) + ", allowed are " +
                       names_of([](const DeckInput&) { return true; }));
     columns.push_back(&*found);
   }
@@ -55,7 +55,7 @@ void require_complete(const CsvTable& table) {
 double value_of(const CsvTable& table, const CsvRow& row, const DeckInput& input, const std::string& cell) {
   const auto value = files::parse_number(cell);
   if (value && *value >= input.lowest && *value <= input.highest) return *value;
-  throw FileError(table.place(row) + ": '" + input.name + "' is " + quoted(cell) + ", allowed is a number from " +
+  throw FileError(table.place(row) + ": '" + input.name + "' is " + in_quotes(cell) + ", allowed is a number from " +
                   files::shortest(input.lowest) + " to " + files::shortest(input.highest));
 }
 
