@@ -1,8 +1,9 @@
 #pragma once
 // The operating line: steady points of the new engine from maximum power down to idle, on standard geometry.
 //   maximum: at sea level the design point's fuel flow, at cruise a T40;  idle: 7 % of the thrust at maximum
-// Sources: the design point from the engine's file, T40 at cruise from power code 100 at 35 000 ft, Mach 0.8 (2355.4 degR,
-// reference/jt9d_npss_cases.csv); idle as in the ICAO landing and take-off cycle (Annex 16, volume II: 7 % of rated).
+// Sources: the design point from the engine's file, T40 at cruise from power code 100 at 35 000 ft, Mach 0.8 (2355.4
+// degR, reference/jt9d_npss_cases.csv); idle as in the ICAO landing and take-off cycle (Annex 16, volume II: 7 % of
+// rated).
 
 #include <string>
 #include <vector>
