@@ -50,14 +50,15 @@ EngineData make_jt9d() {
   // follow the gas with 25, 15 and 30 s. An estimate of the size of such an engine, for studies of its effect.
   const std::array<HeatSoakData, metal_count> metal{{{12.0e3, 300e3}, {11.7e3, 175e3}, {11.7e3, 350e3}}};
 
-  // Not in the model. T40 and speeds: some 3 to 5 % above the design point (2730 R; 3750, 8000 rpm), room for a worn
-  // engine at its rating. Corrected fan speed: 105 % of the design point's, core speed 110 %. Idle: where the nominal
-  // engine at sea level gives 8 % (ground) and 14 % (flight) of its design thrust.
+  // Not in the model. T40 some 3 % above the design point's 2730 R, room for a worn engine at its rating; speeds 3 to 5
+  // % above the highest of the NPSS cases (N1 3946 and 3944 corrected, N2 8051 rpm, 7958 corrected), where the maps
+  // end. Idle: in flight the core speed of NPSS's lowest power code, 20 (6534 to 6650 corrected); on the ground where
+  // the new engine gives 8 % of its design thrust.
   const Ratings ratings{.t40_max_k = 1570.0,
-                        .n1_max_rpm = 3940.0,
+                        .n1_max_rpm = 4070.0,
                         .n2_max_rpm = 8400.0,
-                        .corrected_n1_max_rpm = 3850.0,
-                        .corrected_n2_max_rpm = 8600.0,
+                        .corrected_n1_max_rpm = 4150.0,
+                        .corrected_n2_max_rpm = 8500.0,
                         .ground_idle_corrected_n2_rpm = 6090.0,
                         .flight_idle_corrected_n2_rpm = 6630.0};
 
