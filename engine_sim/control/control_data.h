@@ -29,6 +29,8 @@ struct FuelControlData {
   Schedule<6> n1_gain, n1_lag_s, n2_gain, n2_lag_s;
   FuelResponse t48, ps_30;
   double speed_bandwidth_rad_s, t48_bandwidth_rad_s, ps_30_bandwidth_rad_s;
+  double reference_band;                   ///< relative to the demand: within it the reference of the governor is led
+  double reference_fuel_rate_per_s;        ///< so that its proportional part asks for this relative rate of fuel flow
   Schedule<7> acceleration, deceleration;  ///< largest and least ratio units over N2 corrected
   double theta_exponent;                   ///< m of the ratio units
   double slew_per_s;                       ///< fastest relative change of fuel flow
@@ -50,6 +52,7 @@ struct BleedValveControlData {
 
 struct ControlData {
   EngineLimits limits;
+  bool hold_limits = true;  ///< false: N1, N2, T48 and Ps30 may pass theirs; idle and the schedules still act
   FuelControlData fuel;
   VaneControlData vanes;
   BleedValveControlData bleed_valves;

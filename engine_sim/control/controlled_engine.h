@@ -5,26 +5,20 @@
 // dt in s as in transient.h. Errors: those of Transient.
 
 #include "engine_sim/control/engine_control.h"
-#include "engine_sim/model/steady.h"
+#include "engine_sim/control/scheduled_point.h"
 #include "engine_sim/model/transient.h"
 
 namespace ehm::engine {
 
-/// What acts on the engine besides its control.
-struct Surroundings {
-  FlightCondition flight{};
-  HealthVector health{};
-  Offtake offtake{};
-};
-
 struct ControlledSample {
   Actuation actuation;
+  Geometry geometry;  ///< as the gas path felt it: vanes off their schedule
   GasPath gas;
 };
 
 class ControlledEngine {
  public:
-  /// `start` has vanes and valves on their schedules, see settled() below.
+  /// `start` has vanes and valves on their schedules, see scheduled_point.h.
   ControlledEngine(const Turbofan& engine, const ControlData& data, const SteadyPoint& start);
 
   /// The sample of now, and on to the next one.
@@ -37,15 +31,5 @@ class ControlledEngine {
   Transient transient_;
   Measurements measured_;
 };
-
-/// Steady point with the bleed valves where the control wants them. Demand as in solve_steady().
-/// @throws as solve_steady()
-SteadyPoint solve_scheduled(const Turbofan& engine, const ControlData& data, const Surroundings& surroundings,
-                            const Demand& demand, const SteadyPoint* start = nullptr);
-
-/// Steady point that the control holds at this fan speed demand: at the demand, or at the limit that stops it.
-/// @throws SolveError if the engine does not run there at any fan speed that the control allows
-SteadyPoint settled(const Turbofan& engine, const ControlData& data, const Surroundings& surroundings,
-                    double n1_demand_rpm);
 
 }  // namespace ehm::engine

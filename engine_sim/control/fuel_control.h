@@ -6,8 +6,11 @@
 // K and T are gain and lag of the linear model (control_data.h), w the bandwidth in rad/s: the zero of each loop
 // cancels the engine's lag, the open loop is w/s. T goes with 1/delta2 and K with corrected fan speed, so the loops
 // behave alike from sea level to the ceiling. T48 answers at once (T = 0): its loop is an integral one.
-// What is not selected leaves no trace but its last error, so that a limit is left in the step in which its reason
-// goes. Source: Jaw & Mattingly, Aircraft Engine Controls, chapters 4 to 6 (min-max selection, Wf/Ps30 schedules).
+// What is not selected leaves no trace but its last error: a limit is left in the step in which its reason goes.
+// A selection cuts the proportional answer to a step of r short, and an increment that is lost is lost; so the
+// governor's r follows the demand from `reference_band` on, no faster than gives a stated rate of fuel flow. Small
+// steps are then answered alike at all altitudes; large ones are the schedules' business.
+// Source: Jaw & Mattingly, Aircraft Engine Controls, chapters 4 to 6 (min-max selection, Wf/Ps30 schedules).
 // Errors: none; measurements must be finite. Real-time safe: yes.
 
 #include <array>
@@ -48,11 +51,13 @@ class FuelControl {
 
  private:
   static constexpr std::size_t regulator_count = 6;  // the first of FuelLoop
-  std::array<double, regulator_count> errors(const Measurements& measured, double n1_demand_rpm) const;
-  std::array<double, regulator_count> increments(const Measurements& measured, double n1_demand_rpm, double dt_s);
+  void follow(const Measurements& measured, double n1_demand_rpm, double dt_s);
+  std::array<double, regulator_count> errors(const Measurements& measured) const;
+  std::array<double, regulator_count> increments(const Measurements& measured, double dt_s);
 
   ControlData data_;
   double fuel_flow_kg_s_;
+  double n1_reference_rpm_;
   std::array<double, regulator_count> last_error_;
   FuelLoop active_ = FuelLoop::n1_governor;
 };

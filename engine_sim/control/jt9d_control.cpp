@@ -28,6 +28,8 @@ constexpr FuelControlData fuel{
     .speed_bandwidth_rad_s = 2.0,
     .t48_bandwidth_rad_s = 5.0,
     .ps_30_bandwidth_rad_s = 3.0,
+    .reference_band = 0.03,
+    .reference_fuel_rate_per_s = 0.5,
     .acceleration =
         {{{5500, 0.74}, {6300, 0.87}, {6800, 1.01}, {7200, 1.12}, {7600, 1.255}, {7900, 1.35}, {8300, 1.42}}},
     .deceleration =
@@ -51,7 +53,7 @@ constexpr BleedValveControlData bleed_valves{.low_speed = {{{2050, 0.10}, {2550,
 }  // namespace
 
 ControlData jt9d_control() {
-  return {limits, fuel, vanes, bleed_valves};
+  return {.limits = limits, .fuel = fuel, .vanes = vanes, .bleed_valves = bleed_valves};
 }
 
 }  // namespace ehm::engine

@@ -41,7 +41,8 @@ void add_manoeuvre(std::vector<DemandPoint>& demand, Dice& dice) {
   const double kind = dice.between(0.0, 6.0);
   if (kind < 1.0) return slam(demand, dice.between(lowest_rpm, highest_rpm), dice.between(0.5, 6.0));
   if (kind < 2.0) return slam(demand, dice.chance(0.5) ? highest_rpm : lowest_rpm, dice.between(1.0, 8.0));
-  if (kind < 3.0) return ramp(demand, dice.between(1500.0, highest_rpm), dice.between(0.3, 5.0), dice.between(0.0, 3.0));
+  if (kind < 3.0)
+    return ramp(demand, dice.between(1500.0, highest_rpm), dice.between(0.3, 5.0), dice.between(0.0, 3.0));
   if (kind < 4.0) {  // body: from full power to idle, and back before the engine is there
     slam(demand, highest_rpm, dice.between(3.0, 7.0));
     slam(demand, lowest_rpm, dice.between(0.5, 5.0));
@@ -59,8 +60,7 @@ void add_manoeuvre(std::vector<DemandPoint>& demand, Dice& dice) {
 
 engine::FlightCondition DemandSequence::flight_at(double time_s) const {
   const double altitude_m = std::clamp(flight.altitude_m + climb_m_s * time_s, 0.0, 13500.0);
-  return {altitude_m, std::clamp(flight.mach + mach_per_s * time_s, 0.0, highest_mach(altitude_m)),
-          flight.delta_isa_k};
+  return {altitude_m, std::clamp(flight.mach + mach_per_s * time_s, 0.0, highest_mach(altitude_m)), flight.delta_isa_k};
 }
 
 double DemandSequence::n1_corrected_rpm(double time_s) const {

@@ -14,7 +14,9 @@ namespace {
 using namespace engine;
 
 constexpr double dt_s = 0.015;
-constexpr bool smallest_counts(Figure figure) { return figure == lpc_margin || figure == hpc_margin; }
+constexpr bool smallest_counts(Figure figure) {
+  return figure == lpc_margin || figure == hpc_margin;
+}
 
 StudyResult empty_result() {
   StudyResult r;
@@ -55,7 +57,7 @@ StudyResult fly(const Turbofan& engine, std::uint64_t seed, double duration_s) {
     ControlledEngine run(engine, data, settled(engine, data, {s.flight, s.health, {}}, demand_rpm()));
     for (int k = 0; time_s < duration_s; time_s = ++k * dt_s) {
       const Surroundings now{s.flight_at(time_s), s.health, {}};
-      const auto [actuation, gas] = run.step(now, demand_rpm(), dt_s);
+      const auto [actuation, geometry, gas] = run.step(now, demand_rpm(), dt_s);
       const auto values = figures(data.limits, gas);
       for (std::size_t i = 0; i < figure_count; ++i) {
         const Worst here{values[i], seed, time_s, now.flight, measure(gas).n1_corrected_rpm(), actuation.active};
@@ -64,7 +66,8 @@ StudyResult fly(const Turbofan& engine, std::uint64_t seed, double duration_s) {
       result.seconds_in_loop[static_cast<std::size_t>(actuation.active)] += dt_s;
     }
   } catch (const std::exception& e) {
-    result.failures.push_back("sequence " + std::to_string(seed) + " after " + std::to_string(time_s) + " s: " + e.what());
+    result.failures.push_back("sequence " + std::to_string(seed) + " after " + std::to_string(time_s) +
+                              " s: " + e.what());
   }
   return result;
 }

@@ -13,7 +13,7 @@ namespace ehm::test {
 
 enum Figure : std::size_t { lpc_margin, hpc_margin, n1_over, n2_over, t48_over, ps_30_over, idle_under, figure_count };
 inline constexpr std::array<std::string_view, figure_count> figure_names{
-    "LPC stall margin, %",    "HPC stall margin, %", "N1 over its limit, %",     "N2 over its limit, %",
+    "LPC stall margin, %",   "HPC stall margin, %",    "N1 over its limit, %", "N2 over its limit, %",
     "T48 over its limit, %", "Ps30 over its limit, %", "N2 below idle, %"};
 
 /// The worst of one figure: what, where, in which sequence and when.
