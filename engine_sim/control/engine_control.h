@@ -6,7 +6,7 @@
 //            deceleration schedule: where the fuel is cut, the core slows before the fan and swallows less than the LPC
 //            delivers; limited in rate
 //   fuel:    fuel_control.h
-// Source: Walsh & Fletcher, chapters 5 and 7 (variable geometry, handling bleed). Errors: none. Real-time safe: yes.
+// Source: Walsh & Fletcher, chapters 5 and 8 (variable geometry, handling bleed). Errors: none. Real-time safe: yes.
 
 #include "engine_sim/control/actuator.h"
 #include "engine_sim/control/control_data.h"

@@ -104,6 +104,20 @@ TEST(Simulation, AWornEngineStartsWhereTheLimitsHoldIt) {
   EXPECT_NEAR(fly(simulation, 500).readings[6].value, 1000.0, 0.1);
 }
 
+TEST(Simulation, AFlightThatItSaysItSurvivesIsSurvived) {
+  int survived = 0;
+  for (const FlightCondition& flight : {FlightCondition{9000.0, 0.75, 0.0}, FlightCondition{12000.0, 0.85, 10.0},
+                                        FlightCondition{3000.0, 0.5, -10.0}}) {
+    Simulation simulation(quiet());
+    if (!simulation.can_fly(flight)) continue;
+    ++survived;
+    simulation.fly(flight);
+    EXPECT_NO_THROW(fly(simulation, 1000));
+  }
+  EXPECT_GE(survived, 2);
+  EXPECT_FALSE(Simulation(quiet()).can_fly({30000.0, 0.8, 0.0}));  // above the atmosphere
+}
+
 TEST(Simulation, SaysWhatItCannotFly) {
   Scenario s = quiet();
   s.demand.value = 2355.4;  // degR taken for K
