@@ -1,20 +1,24 @@
-// engine_sim: arguments -> scenario -> simulation -> DDS, one sample each period -> exit code.
+// engine_sim: arguments -> scenario -> simulation -> DDS, one sample each period -> exit code;
+// engine_sim COMMAND: an offline command instead (commands.h).
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <iostream>
 #include <optional>
+#include <string>
 
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
+#include "engine_sim/commands.h"
 #include "engine_sim/run.h"
 #include "engine_sim/scenario/scenario_file.h"
 
 int main(int argc, char** argv) {
   using namespace ehm;
+  if (const auto code = engine::run_command(argc, argv, std::cout, std::cerr)) return *code;
   spdlog::set_default_logger(spdlog::stderr_color_mt("engine_sim"));
 
   engine::SimConfig config;
@@ -22,9 +26,9 @@ int main(int argc, char** argv) {
   engine::declare(schema, config);
 
   config::CommandLine line;
-  if (const auto code = config::parse_command_line(
-          argc, argv, "engine_sim", "Flies a nonlinear turbofan and publishes its sensors on DDS.", schema, line))
-    return *code;
+  const std::string purpose =
+      std::string("Flies a nonlinear turbofan and publishes its sensors on DDS.\n") + engine::command_help;
+  if (const auto code = config::parse_command_line(argc, argv, "engine_sim", purpose, schema, line)) return *code;
 
   try {
     schema.load(line.file);

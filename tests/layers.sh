@@ -5,13 +5,12 @@ cd "$(dirname "$0")/.."
 failures=0
 
 # forbid WHY PATTERN PATH...: no file below the paths includes what matches the pattern.
-# maps/fit_* is exempt: the offline program that fits the maps, a target of its own, reads and writes files by design.
 forbid() {
   local why=$1 pattern=$2
   shift 2
   local found
   for path in "$@"; do [ -e "$path" ] || { echo "layers: $path does not exist"; failures=$((failures + 1)); }; done
-  found=$(grep -rnE --include='*.h' --include='*.cpp' "#include [<\"]($pattern)" "$@" | grep -v '/maps/fit_')
+  found=$(grep -rnE --include='*.h' --include='*.cpp' "#include [<\"]($pattern)" "$@")
   if [ -n "$found" ]; then
     echo "layers: $why"
     echo "$found"
@@ -30,6 +29,8 @@ forbid "the model knows nothing but itself" 'engine_sim/(control|sensors|scenari
 forbid "estimation stands below everything" 'monitor/(checks|judge|dds|design|monitor_cycle|realtime)|engine_sim|tuner_design|idl/' monitor/estimation
 forbid "the monitor flies without the bench and without the simulator" 'tuner_design/|engine_sim/(control|sensors|scenario|dds|simulation)' monitor
 forbid "the bench is offline: no DDS" "$dds" tuner_design monitor/design
+forbid "the offline commands need no DDS" "$dds" engine_sim/deck engine_sim/figures engine_sim/commands.h engine_sim/commands.cpp
+forbid "files know no program" 'engine_sim/|monitor/|tuner_design/' deploy/files
 forbid "the wire knows no service" 'engine_sim/|monitor/|tuner_design/' idl
 forbid "nothing includes the tests" 'tests/' engine_sim monitor tuner_design idl deploy
 

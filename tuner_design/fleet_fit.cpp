@@ -10,8 +10,7 @@
 namespace ehm::bench {
 namespace {
 
-constexpr Eigen::Index off_balance = engine_states + engine_controls;  ///< speeds and fuel
-constexpr double disturbance = 0.003;  ///< of trim, one sigma: far above round-off, small against the fleet's spread
+constexpr double disturbance = 0.003;  ///< of size, one sigma: far above round-off, small against the fleet's spread
 
 Eigen::VectorXd trims(const std::vector<estimation::Channel>& channels) {
   Eigen::VectorXd trim(static_cast<Eigen::Index>(channels.size()));
@@ -21,10 +20,10 @@ Eigen::VectorXd trims(const std::vector<estimation::Channel>& channels) {
 
 }  // namespace
 
-Fleet steady_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, double health_sigma, int engines,
-                   std::uint64_t seed) {
+Fleet steady_fleet(const EngineLayout& layout, const engine::Turbofan& turbofan, const engine::SteadyPoint& trim,
+                   double health_sigma, int engines, std::uint64_t seed) {
   engine::NoiseSource random(seed);
-  Fleet fleet{Eigen::MatrixXd(engine_inputs, engines), Eigen::MatrixXd(engine_outputs, engines)};
+  Fleet fleet{layout, Eigen::MatrixXd(layout.inputs(), engines), Eigen::MatrixXd(layout.outputs(), engines)};
   Eigen::Index solved = 0;
   for (int k = 0; k < engines; ++k) {
     engine::HealthVector worn = trim.operation.health;
@@ -32,8 +31,8 @@ Fleet steady_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& 
     try {
       const engine::SteadyPoint point = engine::solve_steady(
           turbofan, trim.operation.flight, worn, {engine::DemandKind::n1_rpm, trim.gas.speeds.n1_rpm}, &trim);
-      fleet.inputs.col(solved) = inputs_of(point);
-      fleet.outputs.col(solved) = outputs_of(point.gas);
+      fleet.inputs.col(solved) = inputs_of(layout, point);
+      fleet.outputs.col(solved) = outputs_of(layout, point.gas);
       ++solved;
     } catch (const engine::SolveError&) {
       // counted below
@@ -49,30 +48,34 @@ Fleet steady_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& 
 
 FleetFit fit_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, const Fleet& fleet,
                    std::uint64_t seed) {
-  const Eigen::VectorXd v0 = inputs_of(trim), f0 = outputs_of(trim.gas);
-  Eigen::VectorXd scale = Eigen::VectorXd::Constant(engine_inputs, 0.01);  // one percent
-  scale.head(off_balance) *= v0.head(off_balance).asDiagonal();
+  const EngineLayout& layout = fleet.layout;
+  const Eigen::Index off_balance = layout.health();  // states and controls are moved off their balance
+  const Eigen::VectorXd v0 = inputs_of(layout, trim), f0 = outputs_of(layout, trim.gas);
+  const Eigen::VectorXd size = input_size(layout, v0), scale = 0.01 * size;
   engine::NoiseSource random(seed);
   const Eigen::Index engines = fleet.inputs.cols();
-  Eigen::MatrixXd regressors(engines, 1 + engine_inputs), deviations(engines, engine_outputs);
+  Eigen::MatrixXd regressors(engines, 1 + layout.inputs()), deviations(engines, layout.outputs());
   for (Eigen::Index k = 0; k < engines; ++k) {
     Eigen::VectorXd v = fleet.inputs.col(k);
-    for (Eigen::Index j = 0; j < off_balance; ++j) v(j) += disturbance * v0(j) * random.normal();
+    for (Eigen::Index j = 0; j < off_balance; ++j) v(j) += disturbance * size(j) * random.normal();
+    v(layout.fuel() + 2) = std::abs(v(layout.fuel() + 2));  // bleed valves only open
     regressors.row(k) << 1.0, (v - v0).cwiseQuotient(scale).transpose();
-    deviations.row(k) = (evaluate(turbofan, trim, v) - f0).transpose();
+    deviations.row(k) = (evaluate(layout, turbofan, trim, v) - f0).transpose();
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(regressors);
   if (qr.rank() < regressors.cols())
     throw std::runtime_error("linearise: " + std::to_string(engines) + " engines do not tell the " +
-                             std::to_string(engine_inputs) + " inputs apart; take a larger fleet (--fleet)");
+                             std::to_string(layout.inputs()) + " inputs apart; take a larger fleet (--fleet)");
   const Eigen::MatrixXd solution = qr.solve(deviations).transpose();  // [intercept | J scale]
 
   FleetFit fit;
-  fit.jacobian = solution.rightCols(engine_inputs) * scale.cwiseInverse().asDiagonal();
+  fit.jacobian = solution.rightCols(layout.inputs()) * scale.cwiseInverse().asDiagonal();
   const Eigen::VectorXd intercept = solution.col(0);
-  // Balance of the fitted engine at the trim's fan speed: core speed and fuel take up the rates of the intercept.
-  Eigen::VectorXd shift = Eigen::VectorXd::Zero(engine_inputs);
-  shift.segment(1, 2) = -fit.jacobian.block(0, 1, engine_rates, 2).partialPivLu().solve(intercept.head(engine_rates));
+  // Balance of the fitted engine at the trim's fan speed: the other states and the fuel flow, which lie side by side in
+  // v, take up the rates of the intercept.
+  const Eigen::Index n = layout.states();
+  Eigen::VectorXd shift = Eigen::VectorXd::Zero(layout.inputs());
+  shift.segment(1, n) = -fit.jacobian.block(0, 1, n, n).partialPivLu().solve(intercept.head(n));
   fit.inputs = v0 + shift;
   fit.outputs = f0 + intercept + fit.jacobian * shift;
   return fit;
@@ -84,7 +87,7 @@ Eigen::MatrixXd linearisation_error(const estimation::LinearModel& model, const 
   const auto balance = model.A.partialPivLu();
   Eigen::MatrixXd moment = Eigen::MatrixXd::Zero(trim.size(), trim.size());
   for (Eigen::Index k = 0; k < fleet.inputs.cols(); ++k) {
-    const Eigen::VectorXd u = fleet.inputs.col(k).segment(engine_states, engine_controls) - trims(model.controls);
+    const Eigen::VectorXd u = fleet.inputs.col(k).segment(fleet.layout.fuel(), engine_controls) - trims(model.controls);
     const Eigen::VectorXd h = fleet.inputs.col(k).tail(engine_health) - trims(model.health);
     const Eigen::VectorXd x = -balance.solve(model.B * u + model.L * h);
     Eigen::VectorXd linear(trim.size());

@@ -15,14 +15,15 @@
 
 namespace ehm::bench {
 
-/// v and f of one steady engine in each column.
+/// v and f of one steady engine in each column, in `layout`.
 struct Fleet {
+  EngineLayout layout;
   Eigen::MatrixXd inputs, outputs;
 };
 
 /// @throws std::runtime_error if more than one engine in a hundred has no steady point.
-Fleet steady_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, double health_sigma, int engines,
-                   std::uint64_t seed);
+Fleet steady_fleet(const EngineLayout& layout, const engine::Turbofan& turbofan, const engine::SteadyPoint& trim,
+                   double health_sigma, int engines, std::uint64_t seed);
 
 /// Fitted trim and derivatives.
 struct FleetFit {

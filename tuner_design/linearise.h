@@ -3,6 +3,8 @@
 // engine_channels.h: A in 1/s, B rpm/s per kg/s, L rpm/s per fraction, and so on. Two methods:
 //   perturbation   the tangent at the trim engine by central differences (step_study.h)
 //   fleet          the best fit over engines with the fleet's spread of health (fleet_fit.h)
+// States: N1, N2, with heat soak three metal temperatures (engine_channels.h), with sensor lags one state a lagging
+// sensor: s' = (y - s)/tau, and s takes the place of y as the sensor's output.
 // With a fleet, what either misses of the nonlinear engine is measured and becomes the model's linearisation_error.
 
 #include <cstdint>
@@ -23,6 +25,11 @@ struct NoiseAssumptions {
   double process_noise_percent = 0.01;  ///< of the speeds' trim, per sample
 };
 
+/// Time constants of the sensors by kind; 0: no lag, no state.
+struct SensorLags {
+  double speed_s = 0.0, pressure_s = 0.0, temperature_s = 0.0;
+};
+
 enum class LineariseMethod { perturbation, fleet };
 
 struct LineariseOptions {
@@ -30,6 +37,8 @@ struct LineariseOptions {
   engine::HealthVector health{};
   engine::Demand demand;
   double sample_time_s = 0.015;
+  bool heat_soak = false;
+  SensorLags lags;
   NoiseAssumptions noise;
   LineariseMethod method = LineariseMethod::perturbation;
   int fleet = 2000;        ///< engines of the fleet; 0: none, the linearisation error is not measured

@@ -21,7 +21,8 @@ struct Arguments {
   engine::FlightCondition flight{10668.0, 0.8, 0.0};
   std::optional<double> n1_rpm, net_thrust_n, t40_k, fuel_flow_kg_s;
   std::vector<std::string> health;
-  bool step_study = false;
+  bool step_study = false, heat_soak = false;
+  SensorLags lags;
   std::string method = "perturbation";
   int fleet = LineariseOptions{}.fleet;
   std::uint64_t seed = LineariseOptions{}.seed;
@@ -57,6 +58,8 @@ void linearise_to_file(const Arguments& arguments, std::ostream& out) {
   options.method = arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::perturbation;
   options.fleet = arguments.fleet;
   options.seed = arguments.seed;
+  options.heat_soak = arguments.heat_soak;
+  options.lags = arguments.lags;
   for (const std::string& text : arguments.health) {
     double value = 0.0;
     const std::size_t index = parse_health(text, value);
@@ -108,6 +111,15 @@ void add_linearise_command(CLI::App& app, std::function<void(std::ostream&)>& ru
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   command->add_option("--seed", arguments->seed, "Of that fleet")->capture_default_str();
+  command->add_flag("--heat-soak", arguments->heat_soak, "Metal temperatures behind HPC, HPT and LPT as states");
+  const auto lag = [&](const char* name, double& tau_s, const char* kind) {
+    command->add_option(name, tau_s, std::string("Time constant of the ") + kind + " sensors as states, s; 0: none")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+  };
+  lag("--lag-speed-s", arguments->lags.speed_s, "speed");
+  lag("--lag-pressure-s", arguments->lags.pressure_s, "pressure");
+  lag("--lag-temperature-s", arguments->lags.temperature_s, "temperature");
   command->add_flag("--step-study", arguments->step_study, "Print how the derivatives depend on the step");
   command->callback(
       [arguments, &run] { run = [arguments](std::ostream& out) { linearise_to_file(*arguments, out); }; });

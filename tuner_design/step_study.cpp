@@ -11,27 +11,26 @@ namespace {
 
 constexpr double allowed_change = 1e-3;
 
-/// Size of each input for a relative step: its trim, and 1 for a health fraction.
-Eigen::VectorXd input_scale(const Eigen::VectorXd& v) {
-  Eigen::VectorXd scale = Eigen::VectorXd::Ones(engine_inputs);
-  scale.head(engine_states + engine_controls) = v.head(engine_states + engine_controls);
-  return scale;
-}
-
-/// Size of each output: its trim; a rate is measured against the speed's trim per second.
-Eigen::VectorXd output_scale(const Eigen::VectorXd& f) {
+/// Size of each output: its trim; a rate is measured against its state's trim per second.
+Eigen::VectorXd output_scale(const EngineLayout& layout, const Eigen::VectorXd& v, const Eigen::VectorXd& f) {
   Eigen::VectorXd scale = f.cwiseAbs();
-  scale.head(engine_rates) = scale.segment(engine_rates, engine_states);
+  scale.head(layout.states()) = v.head(layout.states());
   return scale;
 }
 
-Eigen::MatrixXd central_differences(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, double step) {
-  const Eigen::VectorXd v = inputs_of(trim), scale = input_scale(v);
-  Eigen::MatrixXd result(engine_outputs, engine_inputs);
-  for (Eigen::Index j = 0; j < engine_inputs; ++j) {
-    const Eigen::VectorXd delta = step * scale(j) * Eigen::VectorXd::Unit(engine_inputs, j);
-    result.col(j) =
-        (evaluate(turbofan, trim, v + delta) - evaluate(turbofan, trim, v - delta)) / (2.0 * step * scale(j));
+Eigen::MatrixXd differences(const EngineLayout& layout, const engine::Turbofan& turbofan,
+                            const engine::SteadyPoint& trim, double relative_step) {
+  const Eigen::VectorXd v = inputs_of(layout, trim), size = input_size(layout, v);
+  const auto f = [&](const Eigen::VectorXd& at) { return evaluate(layout, turbofan, trim, at); };
+  Eigen::MatrixXd result(layout.outputs(), layout.inputs());
+  for (Eigen::Index j = 0; j < layout.inputs(); ++j) {
+    const double step = relative_step * size(j);
+    const Eigen::VectorXd s = step * Eigen::VectorXd::Unit(layout.inputs(), j);
+    const bool shut = j == layout.fuel() + 2 && v(j) < step;
+    if (shut)
+      result.col(j) = (-3.0 * f(v) + 4.0 * f(v + s) - f(v + 2.0 * s)) / (2.0 * step);
+    else
+      result.col(j) = (f(v + s) - f(v - s)) / (2.0 * step);
   }
   return result;
 }
@@ -48,14 +47,14 @@ double largest_change(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const 
 
 }  // namespace
 
-StepStudy study_steps(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim) {
-  const Eigen::VectorXd output_size = output_scale(outputs_of(trim.gas));
+StepStudy study_steps(const EngineLayout& layout, const engine::Turbofan& turbofan, const engine::SteadyPoint& trim) {
+  const Eigen::VectorXd output_size = output_scale(layout, inputs_of(layout, trim), outputs_of(layout, trim.gas));
   StepStudy study;
-  Eigen::MatrixXd larger = central_differences(turbofan, trim, std::pow(10.0, -2.0));
+  Eigen::MatrixXd larger = differences(layout, turbofan, trim, std::pow(10.0, -2.0));
   double least = std::numeric_limits<double>::infinity();
   for (int half_decade = 4; half_decade <= 15; ++half_decade) {
     const double step = std::pow(10.0, -0.5 * half_decade);
-    const Eigen::MatrixXd smaller = central_differences(turbofan, trim, std::pow(10.0, -0.5 * (half_decade + 1)));
+    const Eigen::MatrixXd smaller = differences(layout, turbofan, trim, std::pow(10.0, -0.5 * (half_decade + 1)));
     const double change = largest_change(larger, smaller, output_size);
     study.rows.push_back({step, change});
     if (change < least) {

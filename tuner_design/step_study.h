@@ -2,7 +2,8 @@
 // Tangent of the nonlinear engine at a steady point by central differences (Endurthi thesis ch. 4, perturbation
 // method):
 //   df/dv_j = ( f(v + s e_j) - f(v - s e_j) ) / 2 s
-// The step is relative to trim for speeds and fuel, absolute for health, one for all columns: the truncation error
+// and forward to second order for the bleed valves where they are shut, (-3 f(v) + 4 f(v + s e_j) - f(v + 2 s e_j)) / 2
+// s. The step is relative to trim for speeds and fuel, absolute for health, one for all columns: the truncation error
 // falls with s^2, the round-off error of the flow balance grows with 1/s, and the study takes the s between whose
 // neighbours the scaled derivatives change least.
 
@@ -19,13 +20,13 @@ struct StepStudyRow {
 };
 
 struct StepStudy {
-  Eigen::MatrixXd jacobian;  ///< df/dv, 13 x 13, at the chosen step
+  Eigen::MatrixXd jacobian;  ///< df/dv at the chosen step
   double step = 0.0;
   std::vector<StepStudyRow> rows;
 };
 
 /// Steps from 1e-2 down by half decades.
 /// @throws std::runtime_error if no step gives derivatives that agree to 1e-3 with its neighbour's.
-StepStudy study_steps(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim);
+StepStudy study_steps(const EngineLayout& layout, const engine::Turbofan& turbofan, const engine::SteadyPoint& trim);
 
 }  // namespace ehm::bench

@@ -69,7 +69,7 @@ Compression<S> compress(const CompressorData& data, const Stream<S>& in, const C
   const S work_j_kg = (enthalpy(ideal_k, in.fuel_air_ratio) - in.h_j_kg) / efficiency;
   const S h_exit = in.h_j_kg + work_j_kg;
   const S t_exit = temperature_at_enthalpy(h_exit, in.fuel_air_ratio, value(ideal_k));
-  const Stream<S> exit{in.w_kg_s, in.pt_pa * pressure_ratio, t_exit, in.fuel_air_ratio, h_exit};
+  const Stream<S> exit{in.w_kg_s, in.pt_pa * pressure_ratio * at.map.choke, t_exit, in.fuel_air_ratio, h_exit};
   return {exit, at.flow_capacity_kg_s, work_j_kg, at.map.flow, at.map.pressure_ratio};
 }
 

@@ -76,6 +76,13 @@ struct DuctLosses {
   double bypass, fan_to_lpc, lpc_to_hpc, hpt_to_lpt, lpt_to_nozzle;
 };
 
+/// What bounds the steady power of the engine (ratings.h).
+struct Ratings {
+  double t40_max_k, n1_max_rpm, n2_max_rpm;
+  double corrected_n1_max_rpm, corrected_n2_max_rpm;                  ///< N/sqrt(theta2): the ends of fan and HPC map
+  double ground_idle_corrected_n2_rpm, flight_idle_corrected_n2_rpm;  ///< N2/sqrt(theta2)
+};
+
 /// A known operating point: where cold starts begin, and what scales the unknowns.
 struct DesignPoint {
   FlightCondition flight;
@@ -96,6 +103,7 @@ struct EngineData {
   NozzleData core_nozzle, bypass_nozzle;
   double lp_inertia_kg_m2, hp_inertia_kg_m2;
   std::array<HeatSoakData, metal_count> metal;
+  Ratings ratings;
   DesignPoint design;
 };
 

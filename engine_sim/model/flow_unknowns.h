@@ -21,7 +21,7 @@ struct FlowUnknownsOf {
 struct FlowUnknowns : FlowUnknownsOf<double> {};
 
 namespace flow_unknown_box {
-inline constexpr std::array<double, flow_unknown_count> lower{0.1, 0.5, 0.5, 0.5, 1.02, 1.02};
+inline constexpr std::array<double, flow_unknown_count> lower{0.1, -1.0, -1.0, -1.0, 1.02, 1.02};
 inline constexpr std::array<double, flow_unknown_count> upper{40.0, 8.0, 8.0, 8.0, 8.0, 12.0};
 inline constexpr std::array<double, flow_unknown_count> largest_step{2.0, 0.3, 0.3, 0.3, 0.5, 1.0};
 }  // namespace flow_unknown_box

@@ -20,8 +20,9 @@ struct NozzleFlow {
   bool choked;
 };
 
-/// Static temperature at which the gas reaches the speed of sound: 2 (ht - h(T)) = gamma(T) R T.
-double sonic_temperature_k(double tt_k, double fuel_air_ratio);
+/// Static temperature at which gas of the total temperature tt_k and enthalpy h(tt_k) reaches the speed of sound:
+/// 2 (ht - h(T)) = gamma(T) R T.
+double sonic_temperature_k(double tt_k, double total_h_j_kg, double fuel_air_ratio);
 
 /// The jet when it expands to the static temperature t_k.
 template <class S>
@@ -46,7 +47,7 @@ NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambien
 
   // At the throat of a choked nozzle flow and impulse are stationary along the isentrope, so the sonic temperature may
   // be held while they are differentiated: the flow's derivative is exact, the thrust's but for the factor Cv.
-  const S t_sonic = S(sonic_temperature_k(value(in.tt_k), value(in.fuel_air_ratio)));
+  const S t_sonic = S(sonic_temperature_k(value(in.tt_k), value(in.h_j_kg), value(in.fuel_air_ratio)));
   const S log_critical =
       (entropy_function(in.tt_k, in.fuel_air_ratio) - entropy_function(t_sonic, in.fuel_air_ratio)) / r;
   if (value(log_available) >= value(log_critical)) {

@@ -1,34 +1,24 @@
 #include "engine_sim/model/spline.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <stdexcept>
 
 namespace ehm::engine {
 
-SplineBasis::SplineBasis(std::span<const double> breaks) {
-  const bool ascending = std::adjacent_find(breaks.begin(), breaks.end(), std::greater_equal<>()) == breaks.end();
-  if (breaks.size() < 2 || !ascending) {
-    throw std::invalid_argument("spline: needs two or more strictly ascending break points");
-  }
-  knots_.assign(3, breaks.front());
-  knots_.insert(knots_.end(), breaks.begin(), breaks.end());
-  knots_.insert(knots_.end(), 3, breaks.back());
-}
+namespace {
 
-BasisValues SplineBasis::inside(double x) const {
-  // interval knots_[m] <= x < knots_[m+1]; the last interval is closed
-  const auto last = knots_.end() - 5;
-  const auto above = std::upper_bound(knots_.begin() + 3, last + 1, x);
-  const std::size_t m = std::min<std::size_t>(static_cast<std::size_t>(above - knots_.begin()) - 1, knots_.size() - 5);
-
-  // Cox-de Boor, degree by degree; `quadratic` is kept for the slopes
+/// The four basis functions that live on knots[m] <= x <= knots[m+1], and their slopes.
+BasisValues cox_de_boor(std::span<const double> knots, std::size_t m, double x) {
+  // degree by degree; `quadratic` is kept for the slopes
   std::array<double, 4> b{1.0, 0.0, 0.0, 0.0};
   std::array<double, 4> quadratic{};
   for (std::size_t degree = 1; degree <= 3; ++degree) {
     if (degree == 3) quadratic = b;
     double carried = 0.0;
     for (std::size_t r = 0; r < degree; ++r) {
-      const double right = knots_[m + 1 + r], left = knots_[m + 1 + r - degree];
+      const double right = knots[m + 1 + r], left = knots[m + 1 + r - degree];
       const double share = b[r] / (right - left);
       b[r] = carried + (right - x) * share;
       carried = (x - left) * share;
@@ -38,37 +28,56 @@ BasisValues SplineBasis::inside(double x) const {
   // b_i' = 3 (q_i / (t_{i+3} - t_i) - q_{i+1} / (t_{i+4} - t_{i+1})), q of degree 2
   std::array<double, 4> slope{};
   for (std::size_t r = 0; r < 3; ++r) {
-    const double share = 3.0 * quadratic[r] / (knots_[m + 1 + r] - knots_[m - 2 + r]);
+    const double share = 3.0 * quadratic[r] / (knots[m + 1 + r] - knots[m - 2 + r]);
     slope[r] -= share;
     slope[r + 1] += share;
   }
-  return {m - 3, b, slope};
+  return {m - 3, Eigen::Vector4d(b.data()), Eigen::Vector4d(slope.data())};
+}
+
+}  // namespace
+
+SplineBasis::SplineBasis(std::span<const double> breaks) : breaks_(breaks.begin(), breaks.end()) {
+  const bool ascending = std::adjacent_find(breaks.begin(), breaks.end(), std::greater_equal<>()) == breaks.end();
+  if (breaks.size() < 2 || !ascending) {
+    throw std::invalid_argument("spline: needs two or more strictly ascending break points");
+  }
+  std::vector<double> knots(3, breaks.front());
+  knots.insert(knots.end(), breaks.begin(), breaks.end());
+  knots.insert(knots.end(), 3, breaks.back());
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    // the cubic with the values and slopes of both ends
+    const double width = breaks[i + 1] - breaks[i];
+    const BasisValues p = cox_de_boor(knots, i + 3, breaks[i]), q = cox_de_boor(knots, i + 3, breaks[i + 1]);
+    const Eigen::Vector4d rise = q.b - p.b, start = width * p.slope, end = width * q.slope;
+    Interval interval{breaks[i], width, {}};
+    interval.powers << p.b, start, 3.0 * rise - 2.0 * start - end, start + end - 2.0 * rise;
+    intervals_.push_back(interval);
+  }
 }
 
 BasisValues SplineBasis::at(double x) const {
-  const double clamped = std::clamp(x, lowest(), highest());
-  BasisValues out = inside(clamped);
-  if (x != clamped) {
-    for (std::size_t i = 0; i < 4; ++i) out.b[i] += out.slope[i] * (x - clamped);
-  }
-  return out;
+  const double inside = std::clamp(x, lowest(), highest());
+  const auto above = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, inside);
+  const auto first = static_cast<std::size_t>(above - breaks_.begin()) - 1;
+  const Interval& interval = intervals_[first];
+  const double u = (inside - interval.left) / interval.width;
+  const auto power = [&](Eigen::Index k) { return interval.powers.col(k); };
+  const Eigen::Vector4d slope = ((3.0 * u * power(3) + 2.0 * power(2)) * u + power(1)) / interval.width;
+  // beyond the ends along the tangent
+  const Eigen::Vector4d b = ((u * power(3) + power(2)) * u + power(1)) * u + power(0) + (x - inside) * slope;
+  return {first, b, slope};
 }
 
 SurfaceValue surface(const BasisValues& x, const BasisValues& y, std::span<const double> coefficients,
                      std::size_t columns) {
-  SurfaceValue out{0.0, 0.0, 0.0};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double* row = coefficients.data() + (x.first + i) * columns + y.first;
-    double along = 0.0, along_slope = 0.0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      along += row[j] * y.b[j];
-      along_slope += row[j] * y.slope[j];
-    }
-    out.f += x.b[i] * along;
-    out.by_x += x.slope[i] * along;
-    out.by_y += x.b[i] * along_slope;
+  Eigen::Vector4d along_y = Eigen::Vector4d::Zero(), slope_along_y = Eigen::Vector4d::Zero();
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    const double* row = coefficients.data() + (x.first + static_cast<std::size_t>(i)) * columns + y.first;
+    along_y += x.b[i] * Eigen::Vector4d::Map(row);
+    slope_along_y += x.slope[i] * Eigen::Vector4d::Map(row);
   }
-  return out;
+  return {along_y.dot(y.b), slope_along_y.dot(y.b), along_y.dot(y.slope)};
 }
 
 }  // namespace ehm::engine

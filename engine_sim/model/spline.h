@@ -5,7 +5,7 @@
 // Shapes: `breaks` holds k+1 ascending break points; k+3 coefficients per dimension (the end knots are fourfold).
 // Units: those of the caller. Source: de Boor, A Practical Guide to Splines, chapter IX (recurrence), X (derivative).
 
-#include <array>
+#include <Eigen/Core>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,23 +15,29 @@ namespace ehm::engine {
 /// The four basis functions that differ from zero at one place, the index of the first, and their slopes.
 struct BasisValues {
   std::size_t first;
-  std::array<double, 4> b;
-  std::array<double, 4> slope;
+  Eigen::Vector4d b;
+  Eigen::Vector4d slope;
 };
 
 class SplineBasis {
  public:
   /// @throws std::invalid_argument if there are fewer than two break points or they do not ascend strictly
   explicit SplineBasis(std::span<const double> breaks);
-  std::size_t size() const { return knots_.size() - 4; }
-  double lowest() const { return knots_.front(); }
-  double highest() const { return knots_.back(); }
+  std::size_t size() const { return intervals_.size() + 3; }
+  double lowest() const { return breaks_.front(); }
+  double highest() const { return breaks_.back(); }
   /// Real-time safe: yes.
   BasisValues at(double x) const;
 
  private:
-  BasisValues inside(double x) const;
-  std::vector<double> knots_;
+  /// Between two break points b = sum of column k of `powers` times u^k, u = (x - left)/width: the recurrence is run
+  /// only once.
+  struct Interval {
+    double left, width;
+    Eigen::Matrix4d powers;
+  };
+  std::vector<double> breaks_;
+  std::vector<Interval> intervals_;
 };
 
 struct SurfaceValue {

@@ -7,6 +7,9 @@
 
 namespace ehm::engine {
 
+/// The area at which the stream runs at this Mach number, 0 < mach <= 1.
+double area_at_mach_m2(const Station& total, double mach);
+
 /// @throws SolveError if the flow chokes the area, so that no subsonic state carries it
 double static_pressure_pa(const Station& total, double area_m2);
 

@@ -1,188 +1,183 @@
 #include "engine_sim/model/steady.h"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "engine_sim/model/steady_newton.h"
 
 namespace ehm::engine {
 namespace {
 
-constexpr std::size_t unknown_count = flow_unknown_count + 3;
-using D = Dual<unknown_count>;
-using Unknowns = std::array<double, unknown_count>;
-enum Extra : std::size_t { n1 = flow_unknown_count, n2, fuel };
+using namespace steady;
 
-/// Where the engine is asked to be; the continuation moves along a straight line between two of these.
-struct Target {
-  Operation operation;
-  Demand demand;
-};
-
-struct Solution {
-  Unknowns x;
-  GasPath gas;
-  int iterations;
-  double residual;
-};
-
-constexpr std::array<std::string_view, unknown_count> names() {
-  std::array<std::string_view, unknown_count> n{};
-  for (std::size_t i = 0; i < flow_unknown_count; ++i) n[i] = flow_balance_names[i];
-  n[6] = "LP shaft power";
-  n[7] = "HP shaft power";
-  n[8] = "demand";
-  return n;
-}
-
-constexpr std::array<double, unknown_count> extended(const std::array<double, flow_unknown_count>& flow, double speed,
-                                                     double fuel_flow) {
-  std::array<double, unknown_count> out{};
-  for (std::size_t i = 0; i < flow_unknown_count; ++i) out[i] = flow[i];
-  out[n1] = out[n2] = speed;
-  out[fuel] = fuel_flow;
-  return out;
-}
-
-constexpr NewtonProblem<unknown_count> steady_balance{names(), extended(flow_unknown_box::lower, 0.05, 1e-3),
-                                                      extended(flow_unknown_box::upper, 1.5, 4.0),
-                                                      extended(flow_unknown_box::largest_step, 0.15, 0.3)};
-
-/// Relative to the demand: (value - target)/target; thrust, which may be zero or negative, relative to the engine's
-/// size.
-D demand_residual(const Demand& demand, const CycleInput<D>& input, const Cycle<D>& c) {
-  switch (demand.kind) {
-    case DemandKind::fuel_flow_kg_s:
-      return input.fuel_flow_kg_s / demand.value - 1.0;
-    case DemandKind::n1_rpm:
-      return input.n1_rpm / demand.value - 1.0;
-    case DemandKind::net_thrust_n:
-      return (c.net_thrust_n - demand.value) / value(c.gross_thrust_n);
-    case DemandKind::t40_k:
-      return c.s40.tt_k / demand.value - 1.0;
-  }
-  throw std::invalid_argument("steady: unknown kind of demand");
-}
+constexpr double start_of_design_n1 = 0.9;  ///< corrected: a calm part of every map
+constexpr double first_n1_step = 0.01;      ///< relative
+constexpr double longest_step = 0.15;       ///< along the operating line, in units of `size`
+constexpr int most_steps = 500;
+/// What counts as a step of one in each unknown.
+constexpr Unknowns size{5.0, 1.0, 1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 1.0};
+constexpr double lowest_of_design_n1 = 0.12, highest_of_design_n1 = 1.45;
 
 void require_valid(const Demand& demand) {
   const bool positive = demand.kind == DemandKind::net_thrust_n || demand.value > 0.0;
   if (std::isfinite(demand.value) && positive) return;
-  constexpr std::array<const char*, 4> kinds{"fuel_flow_kg_s", "n1_rpm", "net_thrust_n", "t40_k"};
-  throw std::invalid_argument(std::string("steady: demand ") + kinds[static_cast<std::size_t>(demand.kind)] + " = " +
-                              std::to_string(demand.value) + " must be finite" +
+  throw std::invalid_argument("steady: demand " + std::string(demand_names[static_cast<std::size_t>(demand.kind)]) +
+                              " = " + std::to_string(demand.value) + " must be finite" +
                               (demand.kind == DemandKind::net_thrust_n ? "" : " and above zero"));
 }
 
-/// Newton's method at one target from one start.
-Solution solve_at(const Turbofan& engine, const Target& target, Unknowns x) {
-  const DesignPoint& design = engine.data().design;
-  const Intake in = intake(engine.data().inlet, target.operation.flight);
-  CycleInput<D> input;
-  Cycle<D> last;
-  const NewtonReport report = newton(steady_balance, x, [&](const std::array<D, unknown_count>& trial) {
-    input = {trial[n1] * design.speeds.n1_rpm, trial[n2] * design.speeds.n2_rpm, trial[fuel] * design.fuel_flow_kg_s,
-             unpack(trial)};
-    last = engine.cycle(in, target.operation, input);
-    std::array<D, unknown_count> r;
-    std::copy(last.flow_residual.begin(), last.flow_residual.end(), r.begin());
-    r[6] = 1.0 - last.lp_absorbed_power_w / last.lp_turbine_power_w;
-    r[7] = 1.0 - last.hp_absorbed_power_w / last.hp_turbine_power_w;
-    r[8] = demand_residual(target.demand, input, last);
-    return r;
-  });
-  return {x, engine.report(input, last), report.iterations, report.residual};
-}
-
-Unknowns unknowns_of(const Turbofan& engine, const FlowUnknowns& flow, const SpoolSpeeds& speeds,
-                     double fuel_flow_kg_s) {
-  const DesignPoint& design = engine.data().design;
-  Unknowns x = extended(pack(flow), 0.0, fuel_flow_kg_s / design.fuel_flow_kg_s);
-  x[n1] = speeds.n1_rpm / design.speeds.n1_rpm;
-  x[n2] = speeds.n2_rpm / design.speeds.n2_rpm;
-  return x;
-}
-
-/// The design point's unknowns moved to another inlet state at constant corrected speeds and corrected fuel flow.
-Unknowns cold_start(const Turbofan& engine, const Target& target) {
-  const DesignPoint& design = engine.data().design;
-  const Intake here = intake(engine.data().inlet, target.operation.flight),
-               there = intake(engine.data().inlet, design.flight);
-  const double root_theta = std::sqrt(here.tt_k / there.tt_k);
-  Unknowns x = unknowns_of(engine, design.unknowns, design.speeds, design.fuel_flow_kg_s);
-  x[n1] *= root_theta;
-  x[n2] *= root_theta;
-  x[fuel] *= here.fan_face_pt_pa / there.fan_face_pt_pa * root_theta;
-  return x;
-}
-
-double demanded_value(const GasPath& gas, DemandKind kind) {
-  switch (kind) {
-    case DemandKind::fuel_flow_kg_s:
-      return gas.fuel_flow_kg_s;
-    case DemandKind::n1_rpm:
-      return gas.speeds.n1_rpm;
-    case DemandKind::net_thrust_n:
-      return gas.net_thrust_n;
-    case DemandKind::t40_k:
-      return gas.s40.tt_k;
-  }
-  throw std::invalid_argument("steady: unknown kind of demand");
-}
-
-Target between(const Target& a, const Target& b, double share) {
+/// Health, geometry and off-take on the straight line from a to b; flight of b.
+Operation between(const Operation& a, const Operation& b, double share) {
   const auto mean = [share](double from, double to) { return from + share * (to - from); };
-  const Operation &p = a.operation, &q = b.operation;
-  Target t = b;
-  t.operation.flight = {mean(p.flight.altitude_m, q.flight.altitude_m), mean(p.flight.mach, q.flight.mach),
-                        mean(p.flight.delta_isa_k, q.flight.delta_isa_k)};
-  for (std::size_t i = 0; i < health_count; ++i) t.operation.health[i] = mean(p.health[i], q.health[i]);
-  t.operation.geometry = {mean(p.geometry.vsv_deg, q.geometry.vsv_deg),
-                          mean(p.geometry.vbv_fraction, q.geometry.vbv_fraction),
-                          mean(p.geometry.core_nozzle_area_ratio, q.geometry.core_nozzle_area_ratio)};
-  t.operation.offtake = {mean(p.offtake.customer_bleed_kg_s, q.offtake.customer_bleed_kg_s),
-                         mean(p.offtake.power_w, q.offtake.power_w)};
-  t.demand.value = mean(a.demand.value, b.demand.value);
-  return t;
+  Operation o = b;
+  for (std::size_t i = 0; i < health_count; ++i) o.health[i] = mean(a.health[i], b.health[i]);
+  o.geometry = {mean(a.geometry.vsv_deg, b.geometry.vsv_deg), mean(a.geometry.vbv_fraction, b.geometry.vbv_fraction),
+                mean(a.geometry.core_nozzle_area_ratio, b.geometry.core_nozzle_area_ratio)};
+  o.offtake = {mean(a.offtake.customer_bleed_kg_s, b.offtake.customer_bleed_kg_s),
+               mean(a.offtake.power_w, b.offtake.power_w)};
+  return o;
 }
 
-/// Walks from a solved target to another one; a failed step is halved, a successful one doubled.
-Solution follow(const Turbofan& engine, const Target& from, const Target& to, Solution at) {
-  double share = 0.0, step = 0.25;
-  int iterations = at.iterations;
-  while (share < 1.0) {
-    const double next = std::min(1.0, share + step);
+/// Approaches one target from far, in steps each of which Newton's method manages.
+class Approach {
+ public:
+  Approach(const Turbofan& engine, const Target& target) : engine_(engine), target_(target) {}
+
+  Solution run() {
+    Solution at = wear(nominal());
+    at = along_the_operating_line(at);
+    at.iterations = iterations_;
+    return at;
+  }
+
+ private:
+  Solution solve(const Operation& operation, const Demand& demand, const Unknowns& x) {
+    Solution s = solve_at(engine_, {operation, demand}, x);
+    iterations_ += s.iterations;
+    return s;
+  }
+  std::optional<Solution> attempt(const Operation& operation, const Demand& demand, const Unknowns& x) {
     try {
-      at = solve_at(engine, between(from, to, next), at.x);
-      iterations += at.iterations;
-      share = next;
-      step *= 2.0;
+      return solve(operation, demand, x);
     } catch (const SolveError&) {
-      step *= 0.5;
-      if (step < 1e-3) throw;
+      return std::nullopt;
     }
   }
-  at.iterations = iterations;
-  return at;
-}
-
-/// First flight condition and health at the corrected design fuel flow, then the demand.
-Solution continuation(const Turbofan& engine, const Target& target) {
-  const DesignPoint& design = engine.data().design;
-  const Target origin{{.flight = design.flight}, {DemandKind::fuel_flow_kg_s, design.fuel_flow_kg_s}};
-  Solution at = solve_at(engine, origin, cold_start(engine, origin));
-  Target moved = target;
-  moved.demand = {DemandKind::fuel_flow_kg_s, 0.7 * cold_start(engine, target)[fuel] * design.fuel_flow_kg_s};
-  at = follow(engine, origin, moved, at);
-  moved.demand = {target.demand.kind, demanded_value(at.gas, target.demand.kind)};
-  return follow(engine, moved, target, at);
-}
-
-Solution solve(const Turbofan& engine, const Target& target, const Unknowns& start) {
-  try {
-    return solve_at(engine, target, start);
-  } catch (const SolveError&) {
-    return continuation(engine, target);
+  Demand n1_demand(double of_design) const {
+    return {DemandKind::n1_rpm, of_design * engine_.data().design.speeds.n1_rpm};
   }
-}
+
+  /// New engine on schedule and without off-take, at the target's flight condition.
+  Solution nominal() {
+    Unknowns x = cold_start(engine_, target_.operation.flight);
+    const Demand start = n1_demand(start_of_design_n1 * x[n1]);
+    x[n1] *= start_of_design_n1;
+    return solve(Operation{.flight = target_.operation.flight}, start, x);
+  }
+
+  /// To the target's health, geometry and off-take at constant fan speed; a failed step is halved, a good one doubled.
+  Solution wear(Solution at) {
+    const Operation from{.flight = target_.operation.flight};
+    const Demand held = n1_demand(at.x[n1]);
+    double share = 0.0, step = 0.5;
+    while (share < 1.0) {
+      const double next = std::min(1.0, share + step);
+      if (const auto s = attempt(between(from, target_.operation, next), held, at.x)) {
+        at = *s;
+        share = next;
+        step *= 2.0;
+      } else if ((step *= 0.5) < 1e-3) {
+        return solve(between(from, target_.operation, next), held, at.x);  // fails, and says which balance
+      }
+    }
+    return at;
+  }
+
+  double excess(const Solution& s) const {
+    return demanded_value(engine_, s.gas, target_.demand.kind) - target_.demand.value;
+  }
+
+  /// Steps along the operating line until the demand is passed; then from there. The first step is one of fan speed,
+  /// with which every demanded quantity rises on a calm part of the line; the others follow the line wherever it turns.
+  Solution along_the_operating_line(Solution at) {
+    if (const auto s = attempt(target_.operation, target_.demand, at.x)) return *s;
+    const double first = excess(at) < 0.0 ? first_n1_step : -first_n1_step;
+    Solution before = at;
+    at = solve(target_.operation, n1_demand(at.x[n1] * (1.0 + first)), at.x);
+    double length = 2.0;  // of the last step
+    for (int step = 0; step < most_steps && on_the_map(at); ++step) {
+      if (excess(before) * excess(at) <= 0.0) return bisect(before, at);
+      const auto next = step_beyond(before, at, length);
+      if (next) {
+        before = at;
+        at = *next;
+        length = distance(before, at) < longest_step ? 1.5 : 1.0;
+      } else if ((length *= 0.4) < 1e-4) {
+        break;
+      }
+    }
+    out_of_reach(at);
+  }
+
+  /// The next point at `length` times the distance of the last two, on the plane across their direction.
+  std::optional<Solution> step_beyond(const Solution& before, const Solution& at, double length) {
+    Plane plane;
+    for (std::size_t i = 0; i < unknown_count; ++i) {
+      const double d = at.x[i] - before.x[i];
+      plane.normal[i] = d / (size[i] * size[i]) / distance(before, at);
+      plane.through[i] = at.x[i] + length * d;
+    }
+    try {
+      const Solution s = solve_on(engine_, target_.operation, plane, plane.through);
+      iterations_ += s.iterations;
+      // far off the guess lies another branch
+      return distance(s.x, plane.through) < std::abs(length) * distance(before, at) ? std::optional(s) : std::nullopt;
+    } catch (const SolveError&) {
+      return std::nullopt;
+    }
+  }
+
+  /// The demand lies between two points of the line.
+  Solution bisect(Solution a, Solution b) {
+    while (true) {
+      for (const Solution& from : {a, b}) {
+        if (const auto s = attempt(target_.operation, target_.demand, from.x)) return *s;
+      }
+      const auto mid = split(a, b);
+      if (!mid || distance(a, b) < 1e-9) return solve(target_.operation, target_.demand, a.x);
+      (excess(a) * excess(*mid) <= 0.0 ? b : a) = *mid;
+    }
+  }
+
+  /// A point of the line between two others, near the middle if it can be.
+  std::optional<Solution> split(const Solution& a, const Solution& b) {
+    for (const double share : {0.5, 0.2, 0.8, 0.05, 0.95, 0.01, 0.99}) {
+      if (auto s = step_beyond(a, b, share - 1.0)) return s;
+    }
+    return std::nullopt;
+  }
+
+  static double distance(const Unknowns& a, const Unknowns& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < unknown_count; ++i) sum += std::pow((b[i] - a[i]) / size[i], 2);
+    return std::sqrt(sum);
+  }
+  static double distance(const Solution& a, const Solution& b) { return distance(a.x, b.x); }
+  static bool on_the_map(const Solution& s) { return s.x[n1] > lowest_of_design_n1 && s.x[n1] < highest_of_design_n1; }
+
+  [[noreturn]] void out_of_reach(const Solution& last) const {
+    throw SolveError("residual 'demand': " + std::string(demand_names[static_cast<std::size_t>(target_.demand.kind)]) +
+                     " = " + std::to_string(target_.demand.value) + " is out of reach; the engine runs to " +
+                     std::to_string(demanded_value(engine_, last.gas, target_.demand.kind)) + " at N1 " +
+                     std::to_string(last.gas.speeds.n1_rpm) + " rpm");
+  }
+
+  const Turbofan& engine_;
+  const Target& target_;
+  int iterations_ = 0;
+};
 
 }  // namespace
 
@@ -194,8 +189,14 @@ SteadyPoint solve_steady(const Turbofan& engine, const Operation& operation, con
   require_valid(held);
   const Target target{held, demand};
   const Unknowns x = start ? unknowns_of(engine, start->unknowns, start->gas.speeds, start->gas.fuel_flow_kg_s)
-                           : cold_start(engine, target);
-  const Solution s = solve(engine, target, x);
+                           : cold_start(engine, held.flight);
+  const Solution s = [&] {
+    try {
+      return solve_at(engine, target, x);
+    } catch (const SolveError&) {
+      return Approach(engine, target).run();
+    }
+  }();
   held.fuel_flow_kg_s = s.gas.fuel_flow_kg_s;
   return {held, s.gas, {unpack(s.x)}, s.iterations, s.residual};
 }

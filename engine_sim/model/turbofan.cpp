@@ -6,17 +6,16 @@
 
 #include "engine_sim/model/combustor.h"
 #include "engine_sim/model/duct.h"
+#include "engine_sim/model/flow_balance.h"
 #include "engine_sim/model/shaft.h"
 #include "engine_sim/model/static_pressure.h"
 
 namespace ehm::engine {
 namespace {
 
-constexpr NewtonProblem<flow_unknown_count> flow_balance{flow_balance_names, flow_unknown_box::lower,
-                                                         flow_unknown_box::upper, flow_unknown_box::largest_step};
-
-void require(bool ok, const std::string& key, double value, const char* range) {
-  if (!ok) throw std::invalid_argument("engine: " + key + " = " + std::to_string(value) + " is outside " + range);
+void require(bool ok, std::string_view key, double value, const char* range) {
+  if (ok) return;
+  throw std::invalid_argument("engine: " + std::string(key) + " = " + std::to_string(value) + " is outside " + range);
 }
 
 void require_open_nozzle(const char* name, double pressure_ratio) {
@@ -70,7 +69,7 @@ void require_valid(const Operation& operation) {
   require(std::isfinite(wf) && wf > 0.0, "fuel_flow_kg_s", wf, "0 < value < infinity (windmilling is not modelled)");
   for (std::size_t i = 0; i < health_count; ++i) {
     const double h = operation.health[i];
-    require(h >= -0.5 && h <= 0.5, "health " + std::string(health_names[i]), h, "-0.5 to 0.5");
+    require(h >= -0.5 && h <= 0.5, health_names[i], h, "-0.5 to 0.5 (health)");
   }
   const auto& [vsv_deg, vbv_fraction, area_ratio] = operation.geometry;
   require(vsv_deg >= -20.0 && vsv_deg <= 40.0, "vsv_deg", vsv_deg, "-20 to 40");
@@ -79,6 +78,11 @@ void require_valid(const Operation& operation) {
   const auto& [bleed_kg_s, power_w] = operation.offtake;
   require(bleed_kg_s >= 0.0 && bleed_kg_s <= 100.0, "customer_bleed_kg_s", bleed_kg_s, "0 to 100");
   require(power_w >= 0.0 && power_w <= 1e7, "power_offtake_w", power_w, "0 to 1e7");
+}
+
+void require_valid(const SpoolSpeeds& speeds) {
+  require(speeds.n1_rpm > 0.0 && std::isfinite(speeds.n1_rpm), "n1_rpm", speeds.n1_rpm, "0 < value < infinity");
+  require(speeds.n2_rpm > 0.0 && std::isfinite(speeds.n2_rpm), "n2_rpm", speeds.n2_rpm, "0 < value < infinity");
 }
 
 //  ambient -> inlet -2- fan -+-13- bypass duct (+ VBV air) -15-> bypass nozzle
@@ -177,26 +181,13 @@ GasPath Turbofan::report(const CycleInput<S>& input, const Cycle<S>& c) const {
 
 GasPath Turbofan::gas_path(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
                            const MetalTemperatures* metal) const {
-  require_valid(operation);
-  require(speeds.n1_rpm > 0.0 && std::isfinite(speeds.n1_rpm), "n1_rpm", speeds.n1_rpm, "0 < value < infinity");
-  require(speeds.n2_rpm > 0.0 && std::isfinite(speeds.n2_rpm), "n2_rpm", speeds.n2_rpm, "0 < value < infinity");
-  const Intake in = intake(data_.inlet, operation.flight);
-
-  using D = Dual<flow_unknown_count>;
-  CycleInput<D> input{speeds.n1_rpm, speeds.n2_rpm, operation.fuel_flow_kg_s, {}};
-  Cycle<D> last;
-  std::array<double, flow_unknown_count> x = pack(unknowns);
-  newton(flow_balance, x, [&](const std::array<D, flow_unknown_count>& trial) {
-    input.unknowns = unpack(trial);
-    last = cycle(in, operation, input, metal);
-    return last.flow_residual;
-  });
-  unknowns = {unpack(x)};
-  return report(input, last);
+  return FlowBalance(*this).solve(operation, speeds, unknowns, metal);
 }
 
 template Cycle<double> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<double>&,
                                        const MetalTemperatures*) const;
+template Cycle<Dual<3>> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<Dual<3>>&,
+                                        const MetalTemperatures*) const;
 template Cycle<Dual<6>> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<Dual<6>>&,
                                         const MetalTemperatures*) const;
 template Cycle<Dual<9>> Turbofan::cycle(const Intake&, const Operation&, const CycleInput<Dual<9>>&,

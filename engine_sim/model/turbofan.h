@@ -3,7 +3,7 @@
 // At given spool speeds and fuel flow the six unknowns of flow_unknowns.h close six flow balances:
 //   W22 = LPC capacity, W25 = HPC capacity, W40 = HPT capacity, W48 = LPT capacity, W7 = core nozzle, W15 = bypass
 //   nozzle
-// Residuals are (flow - capacity)/flow. Newton's method with exact derivatives (dual.h), see newton.h.
+// Residuals are (flow - capacity)/flow; flow_balance.h closes them.
 // The spools then accelerate by what is left of the power balances; at a steady point (steady.h) nothing is.
 // Units SI. Source: Walsh & Fletcher, chapter 7 (matching); component equations in each component's header.
 
@@ -56,8 +56,8 @@ class Turbofan {
  public:
   explicit Turbofan(const EngineData& data) : data_(data) {}
 
-  /// Closes all flow balances by Newton's method from `unknowns`, which it updates. `metal`: temperatures for the heat
-  /// soak, or none.
+  /// Closes all flow balances from `unknowns`, which it updates, on its own; FlowBalance is faster along a flight.
+  /// `metal`: temperatures for the heat soak, or none.
   /// @throws std::invalid_argument if speeds or operation are not finite or out of range (the message says which)
   /// @throws std::out_of_range for a flight condition outside the atmosphere's or the inlet's range
   /// @throws SolveError if a balance does not close, or a nozzle has no pressure ratio left
@@ -81,5 +81,6 @@ class Turbofan {
 
 /// @throws std::invalid_argument if a value is not finite or outside its range; the message names key, value and range
 void require_valid(const Operation& operation);
+void require_valid(const SpoolSpeeds& speeds);
 
 }  // namespace ehm::engine

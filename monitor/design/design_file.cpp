@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "monitor/design/atomic_file.h"
+#include "deploy/files/atomic_file.h"
 #include "monitor/design/content_hash.h"
 #include "monitor/design/file_error.h"
 #include "monitor/design/json_text.h"
@@ -153,7 +153,7 @@ std::string write_design(const Design& design, const std::string& path) {
   Json json = content_of(design, path);
   const std::string hash = sha256_hex(json.dump());
   json["hash"] = hash;
-  write_file_atomically(path, readable_text(json));
+  files::write_file_atomically(path, readable_text(json));
   return hash;
 }
 

@@ -1,15 +1,13 @@
 #pragma once
 // A user's mistake in a file, as one message: file, key, value, what is allowed, what to do.
 
-#include <stdexcept>
 #include <string>
+
+#include "deploy/files/file_error.h"
 
 namespace ehm::design {
 
-class FileError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using files::FileError;
 
 /// "FILE: KEY is VALUE; allowed: ALLOWED. REMEDY."
 [[noreturn]] inline void throw_defect(const std::string& file, const std::string& key, const std::string& value,

@@ -1,6 +1,6 @@
 #include "monitor/design/model_file.h"
 
-#include "monitor/design/atomic_file.h"
+#include "deploy/files/atomic_file.h"
 #include "monitor/design/json_text.h"
 #include "monitor/design/model_json.h"
 
@@ -11,7 +11,7 @@ estimation::LinearModel read_model(const std::string& path) {
 }
 
 void write_model(const estimation::LinearModel& model, const std::string& path) {
-  write_file_atomically(path, readable_text(model_to_json(model, path)));
+  files::write_file_atomically(path, readable_text(model_to_json(model, path)));
 }
 
 }  // namespace ehm::design

@@ -14,11 +14,11 @@ inline constexpr int max_sensors = 16;
 inline constexpr int max_health = 16;
 inline constexpr int max_auxiliary = 8;
 inline constexpr int max_actuators = 8;
-inline constexpr int max_states = 8;
+inline constexpr int max_states = 12;
 inline constexpr int max_tuners = 16;
 inline constexpr std::size_t max_name_length = 63, max_unit_length = 31;  ///< characters of a channel's name and unit
 inline constexpr int max_augmented = max_states + max_tuners;
-static_assert(max_augmented == 24);
+static_assert(max_augmented == 28);
 
 template <int MaxRows>
 using BoundedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, MaxRows, 1>;

@@ -43,8 +43,31 @@ TEST(Gas, DerivativesAreThoseOfTheFunctions) {
 TEST(Gas, InversionsCloseTheCircle) {
   for (double t = 180.0; t < 2200.0; t += 60.0) {
     for (const double f : {0.0, 0.02, 0.045}) {
-      EXPECT_NEAR(temperature_from_enthalpy(enthalpy(t, f), f, 600.0), t, 1e-9 * t);
-      EXPECT_NEAR(temperature_from_entropy(entropy_function(t, f), f, 600.0), t, 1e-9 * t);
+      EXPECT_NEAR(temperature_from_enthalpy(enthalpy(t, f), f, 600.0).t_k, t, 1e-12 * t);
+      const double log_pressure_ratio = (entropy_function(t, f) - entropy_function(600.0, f)) / gas_constant(f);
+      EXPECT_NEAR(isentropic_temperature(600.0, f, log_pressure_ratio), t, 1e-12 * t);
+    }
+  }
+}
+
+TEST(Gas, DerivativesOfTheInversionsAreThoseOfDifferences) {
+  const double f = 0.02, df = 1e-5, dt = 1e-2, dx = 1e-4;
+  // relative by f: the change of R with f is left out of the derivative
+  for (const double t : {150.0, 300.0, 800.0, 1700.0, 2300.0}) {
+    const double h = enthalpy(t, f), dh = 10.0;
+    const auto temperature = [](double at_h, double at_f) { return temperature_from_enthalpy(at_h, at_f, 700.0).t_k; };
+    const GasTemperature inverse = temperature_from_enthalpy(h, f, 700.0);
+    EXPECT_NEAR(inverse.by_target, (temperature(h + dh, f) - temperature(h - dh, f)) / (2 * dh), 1e-9);
+    EXPECT_NEAR(inverse.by_fuel_air_ratio, (temperature(h, f + df) - temperature(h, f - df)) / (2 * df), 2e-3);
+    for (const double x : {-1.5, 0.4, 1.5}) {
+      const IsentropicTemperature at = isentropic_change(t, f, x);
+      EXPECT_NEAR(at.by_temperature,
+                  (isentropic_change(t + dt, f, x).t_k - isentropic_change(t - dt, f, x).t_k) / (2 * dt), 1e-6);
+      EXPECT_NEAR(at.by_fuel_air_ratio,
+                  (isentropic_change(t, f + df, x).t_k - isentropic_change(t, f - df, x).t_k) / (2 * df),
+                  1e-4 * std::abs(at.by_fuel_air_ratio));
+      EXPECT_NEAR(at.by_log_pressure_ratio,
+                  (isentropic_change(t, f, x + dx).t_k - isentropic_change(t, f, x - dx).t_k) / (2 * dx), 1e-3);
     }
   }
 }
@@ -56,7 +79,7 @@ TEST(Gas, IsentropicCompressionOfColdAirFollowsConstantGamma) {
 
 TEST(Gas, RefusesATargetThatIsNotFinite) {
   EXPECT_THROW(temperature_from_enthalpy(std::numeric_limits<double>::quiet_NaN(), 0.0, 300.0), std::domain_error);
-  EXPECT_THROW(temperature_from_entropy(std::numeric_limits<double>::infinity(), 0.0, 300.0), std::domain_error);
+  EXPECT_THROW(isentropic_temperature(300.0, 0.0, std::numeric_limits<double>::infinity()), std::domain_error);
 }
 
 }  // namespace

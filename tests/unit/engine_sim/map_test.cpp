@@ -87,8 +87,8 @@ TEST(TurbineMap, FlowRisesWithExpansionRatioUntilItChokes) {
 
 TEST(CompressorMap, RefusesTablesThatDoNotFitTheirBreakPoints) {
   const std::vector<double> breaks{0.0, 1.0}, right(16, 1.0), wrong(15, 1.0), surge(4, 1.0);
-  EXPECT_NO_THROW(CompressorMap({1, 2, breaks, breaks, right, right, right, breaks, surge}));
-  EXPECT_THROW(CompressorMap({1, 2, breaks, breaks, right, wrong, right, breaks, surge}), std::invalid_argument);
+  EXPECT_NO_THROW(CompressorMap({1, 2, breaks, breaks, right, right, right, breaks, surge, 3.0}));
+  EXPECT_THROW(CompressorMap({1, 2, breaks, breaks, right, wrong, right, breaks, surge, 3.0}), std::invalid_argument);
   EXPECT_THROW(TurbineMap({3, breaks, breaks, right, wrong}), std::invalid_argument);
 }
 

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <vector>
 
 #include "engine_sim/model/engines/jt9d.h"
+#include "tests/unit/engine_sim/throttle_slam.h"
 
 namespace ehm::engine {
 namespace {
@@ -52,6 +54,42 @@ TEST(Transient, FifteenMillisecondsAgreeWithOneMillisecond) {
   for (std::size_t i = 0; i < fine.size(); ++i) worst = std::max(worst, std::abs(coarse[i] / fine[i] - 1.0));
   std::printf("15 ms against 1 ms: largest difference %.5f %% of N1, N2, T40\n", 100.0 * worst);
   EXPECT_LT(worst, 1e-3);
+}
+
+/// N1, N2, T40, P30 every 15 ms of one slam.
+std::vector<double> slam_history(const Turbofan& engine, const ThrottleSlam& slam, int steps_per_15_ms) {
+  Transient run(engine, slam.idle());
+  std::vector<double> history;
+  for (double t_s = 0.0; t_s < ThrottleSlam::period_s; t_s += 0.015) {
+    const Operation operation = slam.at(t_s);
+    const GasPath& g = run.output(operation);
+    history.insert(history.end(), {g.speeds.n1_rpm, g.speeds.n2_rpm, g.s40.tt_k, g.s30.pt_pa});
+    for (int i = 0; i < steps_per_15_ms; ++i) run.step(operation, 0.015 / steps_per_15_ms);
+  }
+  return history;
+}
+
+TEST(Transient, ThrottleSlamsAgreeWithOneMillisecond) {
+  const Turbofan engine(jt9d());
+  for (const FlightCondition& flight : slam_flights) {
+    for (const double ramp_s : slam_ramps_s) {
+      const ThrottleSlam slam(engine, flight, ramp_s);
+      const std::vector<double> coarse = slam_history(engine, slam, 1), fine = slam_history(engine, slam, 15);
+      double worst = 0.0;
+      for (std::size_t i = 0; i < fine.size(); ++i) worst = std::max(worst, std::abs(coarse[i] / fine[i] - 1.0));
+      std::printf("slam within %.1f s at %.0f m: 15 ms against 1 ms %.4f %% of N1, N2, T40, P30\n", ramp_s,
+                  flight.altitude_m, 100.0 * worst);
+      EXPECT_LT(worst, 1e-3) << flight.altitude_m << " m, ramp " << ramp_s << " s";
+      // it did go all the way
+      EXPECT_GT(*std::max_element(coarse.begin(), coarse.end()), 2.0 * slam.idle().gas.s30.pt_pa);
+    }
+  }
+}
+
+TEST(Transient, TheSameFlightGivesTheSameNumbers) {
+  const Turbofan engine(jt9d());
+  const ThrottleSlam slam(engine, high_cruise, 1.0);
+  EXPECT_EQ(slam_history(engine, slam, 1), slam_history(engine, slam, 1));
 }
 
 TEST(Transient, OutputDoesNotChangeTheState) {

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
 #include "engine_sim/model/engines/jt9d.h"
 #include "monitor/design/model_check.h"
 #include "monitor/estimation/steady_gain.h"
@@ -95,6 +98,51 @@ TEST_F(LineariseAtCruise, TheFleetsFitBalancesAtItsTrim) {
   for (std::size_t i = 0; i < fit.sensors.size(); ++i)
     EXPECT_NEAR(fit.sensors[i].trim, result.model.sensors[i].trim, 0.02 * result.model.sensors[i].trim);
   EXPECT_TRUE(fit.C.topRows(2).isIdentity(1e-6));
+}
+
+TEST_F(LineariseAtCruise, VanesAndBleedValvesAreControls) {
+  ASSERT_EQ(result.model.controls.size(), 3U);
+  const engine::SteadyPoint trim = engine::solve_steady(turbofan, options.flight, {}, options.demand);
+  engine::Operation closed = trim.operation;
+  closed.geometry.vsv_deg = 0.01;
+  engine::FlowUnknowns unknowns = trim.unknowns;
+  const double t30_k = turbofan.gas_path(closed, trim.gas.speeds, unknowns).s30.tt_k;
+  EXPECT_NEAR(result.model.D(5, 1), (t30_k - trim.gas.s30.tt_k) / 0.01, 0.02 * std::abs(result.model.D(5, 1)));
+  // open bleed valves take air from behind the LPC: its pressure falls, its margin grows
+  EXPECT_LT(result.model.D(2, 2), 0.0);
+  EXPECT_GT(result.model.G(3, 2), 0.0);
+}
+
+TEST_F(LineariseAtCruise, HeatSoakAddsSlowStatesAndKeepsTheSteadyGain) {
+  LineariseOptions soaked = options;
+  soaked.heat_soak = true;
+  soaked.fleet = 0;
+  const estimation::LinearModel model = linearise(turbofan, soaked).model;
+  ASSERT_EQ(model.A.rows(), 5);
+  EXPECT_NO_THROW(design::check_model(model, "soaked"));
+  // C k/C of jt9d.cpp: 25, 15 and 30 s, somewhat changed by the engine around them
+  const Eigen::VectorXd slow = model.A.eigenvalues().real();
+  EXPECT_NEAR(slow.maxCoeff(), -1.0 / 30.0, 0.01);
+  EXPECT_LT(slow.minCoeff(), -3.0);
+  // metal as hot as the gas exchanges nothing
+  const estimation::SteadyGain with = estimation::steady_gain(model), without = estimation::steady_gain(result.model);
+  EXPECT_LT((with.H - without.H).norm(), 1e-3 * without.H.norm());
+}
+
+TEST_F(LineariseAtCruise, SensorLagsBecomeStatesWithTheirTimeConstants) {
+  LineariseOptions lagging = options;
+  lagging.lags = {.speed_s = 0.0, .pressure_s = 0.04, .temperature_s = 0.7};
+  lagging.fleet = 0;
+  const estimation::LinearModel model = linearise(turbofan, lagging).model;
+  ASSERT_EQ(model.A.rows(), 2 + 2 + 3);  // P24, Ps30; T24, T30, T48
+  EXPECT_NO_THROW(design::check_model(model, "lagging"));
+  EXPECT_EQ(model.states[2].name, "P24_sensor");
+  EXPECT_NEAR(model.A(2, 2), -25.0, 1e-12);
+  EXPECT_NEAR(model.A(3, 3), -1.0 / 0.7, 1e-12);
+  EXPECT_EQ(model.D.bottomRows(5).norm(), 0.0);
+  const estimation::SteadyGain with = estimation::steady_gain(model), without = estimation::steady_gain(result.model);
+  EXPECT_LT((with.H - without.H).norm(), 1e-9 * without.H.norm());
+  EXPECT_NO_THROW(design_tuner(model, {}));
 }
 
 TEST_F(LineariseAtCruise, HealthAtTrimIsRecorded) {

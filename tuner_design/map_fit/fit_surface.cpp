@@ -1,14 +1,18 @@
-#include "engine_sim/model/maps/fit_surface.h"
+#include "tuner_design/map_fit/fit_surface.h"
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "engine_sim/model/spline.h"
 
-namespace ehm::engine {
+namespace ehm::bench {
 namespace {
+
+using engine::BasisValues;
+using engine::SplineBasis;
 
 /// One row per sample, one column per basis function.
 Eigen::MatrixXd design_matrix(const SplineBasis& basis, std::span<const double> samples) {
@@ -41,6 +45,22 @@ Eigen::MatrixXd kron(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return out;
 }
 
+/// One row per point of the path: weighted second difference of the surface, for a row-major coefficient table.
+Eigen::MatrixXd bending(const SplineBasis& x, const SplineBasis& y, const StraightPath& path) {
+  const auto count = static_cast<Eigen::Index>(path.points.size());
+  Eigen::MatrixXd rows(count, static_cast<Eigen::Index>(x.size() * y.size()));
+  const double scale = path.weight / (path.step_y * path.step_y * std::sqrt(std::max(1.0, static_cast<double>(count))));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto [at_x, at_y] = path.points[static_cast<std::size_t>(i)];
+    const auto row = [&, px = at_x, py = at_y](double steps) {
+      const std::array places{px + steps * path.step_x, py + steps * path.step_y};
+      return kron(design_matrix(x, {&places[0], 1}), design_matrix(y, {&places[1], 1}));
+    };
+    rows.row(i) = scale * (row(-1.0) - 2.0 * row(0.0) + row(1.0));
+  }
+  return rows;
+}
+
 /// min |w (samples c - target)|^2 + |penalty c|^2
 std::vector<double> solve(const Eigen::MatrixXd& samples, const Eigen::VectorXd& weight, const Eigen::VectorXd& target,
                           const Eigen::MatrixXd& penalty) {
@@ -60,18 +80,19 @@ std::vector<double> solve(const Eigen::MatrixXd& samples, const Eigen::VectorXd&
 
 std::vector<double> fit_surface(std::span<const double> x, std::span<const double> y, const Eigen::MatrixXd& z,
                                 const Eigen::MatrixXd& weight, std::span<const double> x_breaks,
-                                std::span<const double> y_breaks, double smoothing) {
+                                std::span<const double> y_breaks, double smoothing, const StraightPath& path) {
   const auto nx = static_cast<Eigen::Index>(x.size()), ny = static_cast<Eigen::Index>(y.size());
   if (z.rows() != nx || z.cols() != ny || weight.rows() != nx || weight.cols() != ny) {
     throw std::invalid_argument("map fit: the table is not of the size of its coordinates");
   }
-  const Eigen::MatrixXd bx = design_matrix(SplineBasis(x_breaks), x), by = design_matrix(SplineBasis(y_breaks), y);
+  const SplineBasis basis_x(x_breaks), basis_y(y_breaks);
+  const Eigen::MatrixXd bx = design_matrix(basis_x, x), by = design_matrix(basis_y, y);
   const Eigen::MatrixXd along_x = kron(third_difference(bx.cols()), Eigen::MatrixXd::Identity(by.cols(), by.cols()));
   const Eigen::MatrixXd along_y = kron(Eigen::MatrixXd::Identity(bx.cols(), bx.cols()), third_difference(by.cols()));
-  Eigen::MatrixXd penalty(along_x.rows() + along_y.rows(), bx.cols() * by.cols());
-  penalty << along_x, along_y;
-  return solve(kron(bx, by), weight.reshaped<Eigen::RowMajor>(), z.reshaped<Eigen::RowMajor>(),
-               std::sqrt(smoothing) * penalty);
+  const Eigen::MatrixXd straight = bending(basis_x, basis_y, path);
+  Eigen::MatrixXd penalty(along_x.rows() + along_y.rows() + straight.rows(), bx.cols() * by.cols());
+  penalty << std::sqrt(smoothing) * along_x, std::sqrt(smoothing) * along_y, straight;
+  return solve(kron(bx, by), weight.reshaped<Eigen::RowMajor>(), z.reshaped<Eigen::RowMajor>(), penalty);
 }
 
 std::vector<double> fit_curve(std::span<const double> x, std::span<const double> z, std::span<const double> breaks,
@@ -82,4 +103,4 @@ std::vector<double> fit_curve(std::span<const double> x, std::span<const double>
                std::sqrt(smoothing) * third_difference(samples.cols()));
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::bench

@@ -1,8 +1,10 @@
-#include "engine_sim/model/maps/compressor_table.h"
+#include "tuner_design/map_fit/compressor_table.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-namespace ehm::engine {
+namespace ehm::bench {
 namespace {
 
 using Eigen::Index;
@@ -24,7 +26,8 @@ CompressorTarget bare_target(const CompressorTable& t, double flow_exponent, dou
       out.phi(i, j) = t.flow(i, j) / std::pow(n, flow_exponent);
       out.psi(i, j) = weight > 0.0 ? std::log((pr - 1.0) / std::pow(n, pressure_exponent)) : 0.0;
       // relative errors of Wc and PR count; a choked line keeps its flow to the end, clipped or not
-      out.flow_weight(i, j) = std::max(weight, 0.3) / out.phi(i, j);
+      const bool choked = t.flow(i, j) >= (1.0 - 1e-4) * t.flow(i, t.flow.cols() - 1);
+      out.flow_weight(i, j) = (choked ? 2.0 : 1.0) * std::max(weight, 0.3) / out.phi(i, j);
       out.pressure_weight(i, j) = weight * (pr - 1.0) / pr;
       out.efficiency_weight(i, j) = weight;
     }
@@ -64,8 +67,8 @@ void append_speed(CompressorTarget& t, double speed, bool below, double phi_fact
   append_row(t.psi, t.psi.row(edge).array() + psi_shift, below);
   append_row(t.efficiency, eff, below);
   append_row(t.flow_weight, t.flow_weight.row(edge) * extension_weight, below);
-  append_row(t.pressure_weight, t.pressure_weight.row(edge) * extension_weight, below);
-  append_row(t.efficiency_weight, t.efficiency_weight.row(edge) * extension_weight, below);
+  append_row(t.pressure_weight, t.pressure_weight.row(edge).cwiseMin(extension_weight), below);
+  append_row(t.efficiency_weight, t.efficiency_weight.row(edge).cwiseMin(extension_weight), below);
   t.speed.insert(below ? t.speed.begin() : t.speed.end(), speed);
 }
 
@@ -86,6 +89,35 @@ void append_choked_line(CompressorTarget& t, double r_line) {
   t.r_line.push_back(r_line);
 }
 
+/// Ideal work over cp T1 of a pressure ratio, for air at low temperature.
+double ideal_work(double pressure_ratio) {
+  return std::pow(pressure_ratio, 2.0 / 7.0) - 1.0;
+}
+
+/// Beyond the last sample with a pressure rise, speed line by speed line: ln(PR - 1) goes on straight and so does the
+/// work, down to a tenth; the efficiency is what both give. So a choking compressor absorbs less and less.
+void continue_into_choke(CompressorTarget& t, double pressure_exponent) {
+  for (Index i = 0; i < t.phi.rows(); ++i) {
+    const double psi_of_speed = pressure_exponent * std::log(at(t.speed, i));
+    const auto work = [&](Index j) {
+      return ideal_work(1.0 + std::exp(t.psi(i, j) + psi_of_speed)) / t.efficiency(i, j);
+    };
+    Index last = t.psi.cols() - 1;
+    while (t.efficiency_weight(i, last) == 0.0) --last;
+    const double step = at(t.r_line, last) - at(t.r_line, last - 1);
+    const double psi_slope = std::min(0.0, (t.psi(i, last) - t.psi(i, last - 1)) / step);
+    const double work_slope = std::min(0.0, (work(last) - work(last - 1)) / step);
+    for (Index j = last + 1; j < t.psi.cols(); ++j) {
+      const double beyond = at(t.r_line, j) - at(t.r_line, last);
+      t.psi(i, j) = t.psi(i, last) + psi_slope * beyond;
+      const double work_j = std::max(work(last) + work_slope * beyond, 0.1 * work(last));
+      t.efficiency(i, j) = ideal_work(1.0 + std::exp(t.psi(i, j) + psi_of_speed)) / work_j;
+      t.pressure_weight(i, j) = extension_weight * t.pressure_weight(i, last);
+      t.efficiency_weight(i, j) = extension_weight;
+    }
+  }
+}
+
 }  // namespace
 
 MatrixXd read_rows(const nlohmann::json& rows) {
@@ -100,6 +132,34 @@ MatrixXd read_rows(const nlohmann::json& rows) {
 CompressorTable read_compressor_table(const nlohmann::json& map) {
   return {map.at("NcVec").at(0), map.at("RlineVec").at(0), read_rows(map.at("WcArray")), read_rows(map.at("PRArray")),
           read_rows(map.at("EffArray"))};
+}
+
+CompressorTable move_corner(const CompressorTable& table, const Corner& corner) {
+  constexpr double step = 0.0025;
+  const auto found = std::find(table.speed.begin(), table.speed.end(), corner.at);
+  const auto kept = std::distance(table.speed.begin(), found) + 1;
+  if (kept < 2 || kept >= std::ssize(table.speed)) {
+    throw std::invalid_argument("map fit: the corner n = " + std::to_string(corner.at) +
+                                " is not an inner speed line of the table");
+  }
+  const double below = at(table.speed, kept - 2), highest = table.speed.back();
+  const auto added = static_cast<Index>(std::lround((highest - corner.moved_to) / step)) + 1;
+
+  CompressorTable out = table;
+  out.speed.resize(static_cast<std::size_t>(kept));
+  const Eigen::VectorXd share = Eigen::VectorXd::LinSpaced(added, 0.0, 1.0);
+  for (const double s : share) out.speed.push_back(corner.moved_to + s * (highest - corner.moved_to));
+  const auto moved = [&](const MatrixXd& z) {
+    const Eigen::RowVectorXd slope = (z.row(kept - 1) - z.row(kept - 2)) / (corner.at - below);
+    const Eigen::RowVectorXd bend = z.row(kept - 1) + slope * (corner.moved_to - corner.at);
+    MatrixXd rows(kept + added, z.cols());
+    rows << z.topRows(kept), bend.replicate(added, 1) + share * (z.bottomRows<1>() - bend);
+    return rows;
+  };
+  out.flow = moved(table.flow);
+  out.pressure_ratio = moved(table.pressure_ratio);
+  out.efficiency = moved(table.efficiency);
+  return out;
 }
 
 double sample_weight(double r_line, double pressure_ratio, double efficiency) {
@@ -119,6 +179,7 @@ CompressorTarget fit_target(const CompressorTable& table, double flow_exponent, 
 
   append_choked_line(t, table.r_line.back() + 0.4);
   append_choked_line(t, table.r_line.back() + 0.8);
+  continue_into_choke(t, pressure_exponent);
   append_speed(t, 0.5 * lowest, true, 1.0, 0.0, 0.0);
   append_speed(t, 0.1 * lowest, true, 1.0, 0.0, 0.0);
   for (const double ratio : {1.08, 1.08}) {
@@ -129,4 +190,4 @@ CompressorTarget fit_target(const CompressorTable& table, double flow_exponent, 
   return t;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::bench

@@ -1,0 +1,45 @@
+#include "engine_sim/commands.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include "deploy/files/file_error.h"
+#include "deploy/service/exit_code.h"
+#include "engine_sim/deck/deck_command.h"
+#include "engine_sim/figures/maps_command.h"
+
+namespace ehm::engine {
+
+std::optional<int> run_command(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  const std::string command = argc > 1 ? argv[1] : "-";
+  if (command.starts_with('-')) return std::nullopt;
+  if (command != "deck" && command != "maps") {
+    err << "engine_sim: unknown command '" << command << "'; allowed are deck, maps, or the service's options\n";
+    return service::exit_usage;
+  }
+  std::function<void(std::ostream&, std::ostream&)> run;
+  CLI::App app("The truth of the engine health monitor.", "engine_sim");
+  app.require_subcommand(1);
+  app.footer(service::exit_code_help);
+  add_deck_command(app, run);
+  add_maps_command(app, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, err) == 0 ? service::exit_ok : service::exit_usage;
+  }
+  try {
+    run(out, err);
+    return service::exit_ok;
+  } catch (const files::FileError& error) {
+    err << "engine_sim " << command << ": " << error.what() << '\n';
+    return service::exit_usage;
+  } catch (const std::exception& error) {
+    err << "engine_sim " << command << ": " << error.what() << '\n';
+    return service::exit_failed;
+  }
+}
+
+}  // namespace ehm::engine

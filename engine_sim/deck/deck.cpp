@@ -1,0 +1,101 @@
+#include "engine_sim/deck/deck.h"
+
+#include <algorithm>
+#include <atomic>
+#include <span>
+#include <stdexcept>
+#include <thread>
+
+#include "engine_sim/deck/deck_columns.h"
+
+namespace ehm::engine {
+namespace {
+
+/// Rows that are solved before they are written: bounds the memory, and long against the start of a thread.
+constexpr std::size_t block_size = 1024;
+
+struct DeckRow {
+  std::string text;
+  std::string reason;  ///< empty if it converged
+  int iterations = 0;
+};
+
+std::vector<const DeckOutput*> columns_of(const DeckCases& cases) {
+  std::vector<const DeckOutput*> columns;
+  for (const DeckOutput& output : deck_outputs()) {
+    const auto& inputs = cases.columns;
+    if (std::find(inputs.begin(), inputs.end(), output.name) == inputs.end()) columns.push_back(&output);
+  }
+  return columns;
+}
+
+DeckRow solve_row(const Turbofan& engine, const DeckCase& one, const std::vector<const DeckOutput*>& columns) {
+  DeckRow row{one.inputs, {}};
+  try {
+    const SteadyPoint point = solve_steady(engine, one.operation, one.demand);
+    row.iterations = point.iterations;
+    row.text += ",1";
+    for (const DeckOutput* column : columns) row.text += ',' + files::shortest(column->get(point.gas));
+  } catch (const std::exception& error) {  // whatever ends the solution, this row has none and the others go on
+    row.text = one.inputs + ",0" + std::string(columns.size(), ',');
+    row.reason = error.what();
+  }
+  row.text += '\n';
+  return row;
+}
+
+/// Every row of the block, by this thread and `threads` - 1 helpers, each taking the next row that nobody has.
+std::vector<DeckRow> solve_block(const Turbofan& engine, std::span<const DeckCase> block,
+                                 const std::vector<const DeckOutput*>& columns, unsigned threads, const DeckSink& sink,
+                                 std::size_t done_before) {
+  std::vector<DeckRow> rows(block.size());
+  std::atomic<std::size_t> next{0}, done{done_before};
+  const auto work = [&](const auto& progress) {
+    for (std::size_t i = 0; !sink.stopped() && (i = next++) < block.size();) {
+      rows[i] = solve_row(engine, block[i], columns);
+      progress(++done);
+    }
+  };
+  std::vector<std::jthread> helpers;
+  for (std::size_t t = 1; t < std::min<std::size_t>(threads, block.size()); ++t)
+    helpers.emplace_back([&] { work([](std::size_t) {}); });
+  work(sink.progress);
+  helpers.clear();  // joins them
+  return rows;
+}
+
+}  // namespace
+
+std::string deck_header(const DeckCases& cases) {
+  std::string header;
+  for (const std::string& input : cases.columns) header += input + ',';
+  header += "converged";
+  for (const DeckOutput* column : columns_of(cases)) header += ',' + column->name;
+  return header + '\n';
+}
+
+DeckSummary write_deck(const Turbofan& engine, const DeckCases& cases, unsigned threads, const DeckSink& sink) {
+  const std::vector<const DeckOutput*> columns = columns_of(cases);
+  DeckSummary summary;
+  sink.write(deck_header(cases));
+  while (summary.cases < cases.cases.size()) {
+    const std::size_t size = std::min(block_size, cases.cases.size() - summary.cases);
+    const std::span block = std::span(cases.cases).subspan(summary.cases, size);
+    const std::vector<DeckRow> rows = solve_block(engine, block, columns, threads, sink, summary.cases);
+    if (sink.stopped()) throw std::runtime_error("stopped by a signal");
+
+    std::string text;
+    for (std::size_t i = 0; i < size; ++i) {
+      text += rows[i].text;
+      summary.newton_iterations += rows[i].iterations;
+      if (rows[i].reason.empty()) continue;
+      ++summary.not_converged;
+      sink.failed(block[i], rows[i].reason);
+    }
+    sink.write(text);
+    summary.cases += size;
+  }
+  return summary;
+}
+
+}  // namespace ehm::engine

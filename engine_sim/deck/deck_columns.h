@@ -1,0 +1,34 @@
+#pragma once
+// The columns of a performance deck: each input with its range and where it goes, each output and where it comes from.
+//   inputs   altitude_m, mach, delta_isa_k; one demand; optionally geometry, off-take and the ten health fractions
+//   outputs  W, Pt, Tt of eight stations, Ps30, speeds, fuel flow, thrust, ratios, stall margins in percent
+// Units stand in the names, SI. The ranges are those that the model accepts (a test holds them together); the
+// demands, which it leaves open, are kept to numbers of an engine.
+// Errors: none.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine_sim/model/steady.h"
+
+namespace ehm::engine {
+
+struct DeckInput {
+  std::string name;
+  double lowest, highest;
+  bool required = false;
+  std::optional<DemandKind> demand;                  ///< of the columns with one, a file has exactly one
+  std::function<void(Operation&, double)> set = {};  ///< not for a demand
+};
+
+struct DeckOutput {
+  std::string name;
+  std::function<double(const GasPath&)> get;
+};
+
+const std::vector<DeckInput>& deck_inputs();
+const std::vector<DeckOutput>& deck_outputs();
+
+}  // namespace ehm::engine

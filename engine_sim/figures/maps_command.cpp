@@ -1,0 +1,62 @@
+#include "engine_sim/figures/maps_command.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "deploy/files/atomic_file.h"
+#include "deploy/files/file_error.h"
+#include "engine_sim/figures/gnuplot.h"
+#include "engine_sim/figures/jt9d_figures.h"
+
+namespace ehm::engine {
+namespace {
+
+struct Arguments {
+  std::string out, reference;
+};
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw files::FileError(folder + ": is no folder and cannot be made: " + error.message());
+}
+
+void draw_maps(const Arguments& arguments, std::ostream& out) {
+  std::optional<files::CsvTable> reference;
+  if (!arguments.reference.empty()) reference = files::read_csv(arguments.reference);
+  const std::vector<Figure> figures = jt9d_figures(reference);
+  make_folder(arguments.out);
+  for (const Figure& figure : figures) {
+    const std::string path = arguments.out + "/" + figure.name;
+    files::AtomicFile picture(path + ".svg");
+    run_gnuplot(figure.script, picture.descriptor());
+    picture.commit();
+    files::write_file_atomically(path + ".csv", figure_csv(figure));
+    out << path << ".svg, " << path << ".csv\n";
+  }
+}
+
+}  // namespace
+
+void add_maps_command(CLI::App& app, std::function<void(std::ostream&, std::ostream&)>& run) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("maps", "Pictures of the five component maps, with what they show as CSV");
+  command->add_option("--out", arguments->out, "Folder for the pictures (SVG) and their numbers (CSV)")
+      ->required()
+      ->type_name("DIR");
+  command
+      ->add_option("--reference", arguments->reference,
+                   "Points of another model to draw, with NPSS's columns Fan_NcMap, Fan_WcMap, Fan_PRmap, Fan_effMap "
+                   "and so on for LPC, HPC, HPT, LPT")
+      ->type_name("FILE.csv");
+  command->footer(
+      "Drawn by gnuplot (package gnuplot-nox). Each picture shows speed lines, contours of efficiency, the\n"
+      "surge line of a compressor, and the operating line at sea level and at cruise.");
+  command->callback(
+      [arguments, &run] { run = [arguments](std::ostream& out, std::ostream&) { draw_maps(*arguments, out); }; });
+}
+
+}  // namespace ehm::engine
