@@ -17,16 +17,29 @@ std::string describe(const FlightCondition& flight, const std::string& demand) {
   return text.str();
 }
 
-/// solve_steady with a message for the person who made the demand.
-SteadyPoint settle(const Turbofan& turbofan, const FlightCondition& flight, const HealthVector& health,
-                   const Demand& demand, const SteadyPoint* start = nullptr) {
+/// The new engine at the demand that starts the flight, or a message for the person who made it.
+SteadyPoint trimmed(const Turbofan& turbofan, const Scenario& scenario) {
   constexpr const char* names[]{"fuel_flow_kg_s", "n1_rpm", "net_thrust_n", "t40_k"};
   try {
-    return solve_steady(turbofan, flight, health, demand, start);
+    return solve_scheduled(turbofan, scenario.control, {.flight = scenario.flight}, scenario.demand);
   } catch (const std::exception& e) {
     std::ostringstream text;
-    text << describe(flight, names[static_cast<std::size_t>(demand.kind)]) << " = " << demand.value
-         << " (at cruise t40_k may be some 1000 to 1400); change demand, flight or wear: " << e.what();
+    text << describe(scenario.flight, names[static_cast<std::size_t>(scenario.demand.kind)]) << " = "
+         << scenario.demand.value
+         << " (at cruise t40_k may be some 1000 to 1400); change demand or flight: " << e.what();
+    throw FlightError(text.str());
+  }
+}
+
+/// The worn engine where the flight starts: at its demand, or at the limit that stops it.
+ControlledEngine started(const Turbofan& turbofan, const ControlData& control, const Surroundings& surroundings,
+                         double n1_rpm) {
+  try {
+    return {turbofan, control, settled(turbofan, control, surroundings, n1_rpm)};
+  } catch (const std::exception& e) {
+    std::ostringstream text;
+    text << describe(surroundings.flight, "n1_rpm") << " = " << n1_rpm
+         << "; change demand, flight or wear: " << e.what();
     throw FlightError(text.str());
   }
 }
@@ -36,13 +49,12 @@ SteadyPoint settle(const Turbofan& turbofan, const FlightCondition& flight, cons
 Simulation::Simulation(const Scenario& scenario)
     : scenario_(scenario),
       turbofan_(jt9d()),
-      nominal_(settle(turbofan_, scenario.flight, HealthVector{}, scenario.demand)),
-      profile_({0.0, scenario.flight, nominal_.gas.speeds.n1_rpm}, scenario.profile),
+      nominal_(trimmed(turbofan_, scenario)),
+      profile_({0.0, scenario.flight, {DemandKind::n1_rpm, nominal_.gas.speeds.n1_rpm}}, scenario.profile),
       deterioration_(scenario),
-      start_(settle(turbofan_, profile_.at(0.0).flight, deterioration_.at(0.0),
-                    {DemandKind::n1_rpm, profile_.at(0.0).n1_rpm}, &nominal_)),
-      transient_(turbofan_, start_),
-      governor_(scenario.governor, start_.gas.speeds.n1_rpm, start_.operation.fuel_flow_kg_s),
+      fan_speed_(turbofan_, scenario.control),
+      engine_(started(turbofan_, scenario.control, {profile_.at(0.0).flight, deterioration_.at(0.0), {}},
+                      fan_speed_.n1_rpm(profile_.at(0.0).demand, profile_.at(0.0).flight))),
       sensors_(scenario.sensors, true_sensors(nominal_.gas), static_cast<std::uint64_t>(scenario.seed)),
       pending_faults_(scenario.faults) {
   std::sort(pending_faults_.begin(), pending_faults_.end(),
@@ -56,29 +68,27 @@ SimSample Simulation::next() {
   const ProfilePoint now = profile_.at(sample.time_s);
   sample.flight = now.flight;
   sample.health = deterioration_.at(sample.time_s);
-  sample.fuel_flow_kg_s = governor_.update(now.n1_rpm, transient_.speeds().n1_rpm, scenario_.sample_time_s);
   while (!pending_faults_.empty() && pending_faults_.back().fault.start_s <= sample.time_s) {
     sensors_.inject(pending_faults_.back().sensor, pending_faults_.back().fault);
     pending_faults_.pop_back();
   }
 
-  const Operation operation{sample.flight, sample.health, sample.fuel_flow_kg_s};
-  const GasPath gas = output(operation, sample.time_s);
+  const auto [actuation, geometry, gas] = step(now, sample.health);
+  sample.actuation = actuation;
+  sample.geometry = geometry;
   sample.auxiliary = true_auxiliary(gas);
   sample.readings = sensors_.read(gas, sample.time_s, scenario_.sample_time_s);
-
-  transient_.step(operation, scenario_.sample_time_s);
   ++sequence_;
   return sample;
 }
 
-GasPath Simulation::output(const Operation& operation, double time_s) {
+ControlledSample Simulation::step(const ProfilePoint& now, const HealthVector& health) {
+  const double n1_rpm = fan_speed_.n1_rpm(now.demand, now.flight);
   try {
-    return transient_.output(operation);
+    return engine_.step({now.flight, health, {}}, n1_rpm, scenario_.sample_time_s);
   } catch (const std::exception& e) {
     std::ostringstream text;
-    text << "after " << time_s << " s, "
-         << describe(operation.flight, "fuel flow " + std::to_string(operation.fuel_flow_kg_s) + " kg/s")
+    text << "after " << time_s() << " s, " << describe(now.flight, "n1_rpm") << " = " << n1_rpm
          << "; change the profile, wear or command more gently: " << e.what();
     throw FlightError(text.str());
   }
@@ -86,7 +96,12 @@ GasPath Simulation::output(const Operation& operation, double time_s) {
 
 bool Simulation::can_fly(const FlightCondition& flight) const {
   try {
-    solve_steady(turbofan_, flight, health(), {DemandKind::n1_rpm, profile_.at(time_s()).n1_rpm}, &start_);
+    ControlledEngine trial = engine_;
+    FanSpeedDemand fan_speed = fan_speed_;
+    const double n1_rpm = fan_speed.n1_rpm(profile_.at(time_s()).demand, flight);
+    for (double flown_s = 0.0; flown_s < 1.0; flown_s += scenario_.sample_time_s) {
+      trial.step({flight, health(), {}}, n1_rpm, scenario_.sample_time_s);
+    }
     return true;
   } catch (const std::exception&) {
     return false;

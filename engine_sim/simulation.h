@@ -1,18 +1,20 @@
 #pragma once
-// One simulated engine in flight: profile -> governor -> gas path -> sensors, one sample after another. No clock, no
+// One simulated engine in flight: profile -> control -> gas path -> sensors, one sample after another. No clock, no
 // DDS.
 //
 // Sample k is taken at t = k dt. The fuel flow of sample k acts from t to t + dt, and its direct effect on pressures
 // and temperatures is in the readings of sample k: u[k] of THEORY.md section 4.
-// @throws FlightError when the engine cannot run as demanded: says when, where, what was demanded, and which balance
-// does not
-//         close.
+// A demand out of reach is no error: the control's limits hold the engine. Only the start is the caller's to choose.
+// @throws FlightError when the first demand or the flight leaves no running engine: says when, where, what was
+// demanded,
+//         and which balance does not close.
 
 #include <array>
 #include <cstdint>
 #include <stdexcept>
 
-#include "engine_sim/model/transient.h"
+#include "engine_sim/control/controlled_engine.h"
+#include "engine_sim/control/fan_speed_demand.h"
 #include "engine_sim/scenario/deterioration.h"
 #include "engine_sim/scenario/flight_profile.h"
 #include "engine_sim/scenario/scenario.h"
@@ -23,7 +25,8 @@ struct SimSample {
   std::uint64_t sequence = 0;
   double time_s = 0.0;
   FlightCondition flight;
-  double fuel_flow_kg_s = 0.0;
+  Actuation actuation;
+  Geometry geometry;  ///< as the gas path felt it: vanes off their schedule
   std::array<Reading, sensor_count> readings{};
   HealthVector health{};
   std::array<double, auxiliary_count> auxiliary{};
@@ -46,28 +49,28 @@ class Simulation {
   const GasPath& nominal() const { return nominal_.gas; }
   double noise_sigma(std::size_t sensor) const { return sensors_.noise_sigma(sensor); }
 
-  void demand(double n1_rpm) { profile_.override_demand(n1_rpm); }
+  /// `demand`: n1_rpm or net_thrust_n
+  void demand(const Demand& demand) { profile_.override_demand(demand); }
   void fly(const FlightCondition& flight) { profile_.override_flight(flight); }
   /// Moves a health parameter to `target` within ramp_s, from now on.
   void order_health(std::size_t parameter, double target, double ramp_s) {
     deterioration_.order(parameter, target, ramp_s, time_s());
   }
-  /// Can the engine run in steady state there, at the present demand and health?
+  /// Does the engine go on running for a second, if the flight condition jumps there now?
   bool can_fly(const FlightCondition& flight) const;
   HealthVector health() const { return deterioration_.at(time_s()); }
   void inject(std::size_t sensor, const SensorFault& fault) { sensors_.inject(sensor, fault); }
 
  private:
-  GasPath output(const Operation& operation, double time_s);
+  ControlledSample step(const ProfilePoint& now, const HealthVector& health);
 
   Scenario scenario_;
   Turbofan turbofan_;
   SteadyPoint nominal_;
   FlightProfile profile_;
   Deterioration deterioration_;
-  SteadyPoint start_;
-  Transient transient_;
-  FuelGovernor governor_;
+  FanSpeedDemand fan_speed_;
+  ControlledEngine engine_;
   SensorSuite sensors_;
   std::vector<ScheduledFault> pending_faults_;
   std::uint64_t sequence_ = 0;

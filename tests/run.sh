@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests through ctest, whose closing lines come last.
 # Usage: tests/run.sh           the default tier: all that guards every change
-#        tests/run.sh --full    the sanitizer builds and the demo as well
+#        tests/run.sh --full    the sanitizer builds, the demo, and the control's 1000 demand sequences as well
 # EHM_BUILD_DIR names another build folder (default build; the sanitizers' get a suffix).
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -31,6 +31,7 @@ if [ "$full" = yes ]; then
   export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp history_size=7"
   sanitized tsan thread -R 'SpscQueue|FlightTest|BadSamplesTest'
   EHM_BUILD_DIR=$build deploy/demo.sh --seconds 30
+  export EHM_CONTROL_SEQUENCES=1000
 fi
 
 EHM_CMAKE_ARGS=-DEHM_WERROR=ON deploy/build.sh "$build"

@@ -42,7 +42,7 @@ void apply(const SimCommand& c, Simulation& s) {
   switch (static_cast<SimCommandKind>(c.kind())) {
     case SimCommandKind::set_demand:
       require("value[0] (n1_rpm)", c.value()[0], 500, 5000);
-      return s.demand(c.value()[0]);
+      return s.demand({DemandKind::n1_rpm, c.value()[0]});
     case SimCommandKind::set_flight:
       require("value[0] (altitude_m)", c.value()[0], -500, 15000);
       require("value[1] (mach)", c.value()[1], 0, 0.95);
@@ -50,7 +50,7 @@ void apply(const SimCommand& c, Simulation& s) {
       if (const FlightCondition flight{c.value()[0], c.value()[1], c.value()[2]}; s.can_fly(flight))
         return s.fly(flight);
       throw std::invalid_argument(
-          "the engine cannot run there at its present demand; change the demand first, or in steps");
+          "the engine does not survive the jump from its present power; change the demand first, or in steps");
     case SimCommandKind::set_health:
       return change_health(c, s, false);
     case SimCommandKind::add_health:

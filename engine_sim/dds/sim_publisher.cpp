@@ -75,7 +75,7 @@ bool SimPublisher::publish(const SimSample& sample, std::int64_t source_time_ns)
   sensors_sample_.altitude_m(sample.flight.altitude_m);
   sensors_sample_.mach(sample.flight.mach);
   sensors_sample_.delta_isa_k(sample.flight.delta_isa_k);
-  sensors_sample_.actuator()[0] = sample.fuel_flow_kg_s;
+  sensors_sample_.actuator()[0] = sample.actuation.fuel_flow_kg_s;
   std::uint32_t valid = 0;
   for (std::size_t i = 0; i < sensor_count; ++i) {
     sensors_sample_.sensor()[i] = sample.readings[i].value;

@@ -9,9 +9,9 @@ FlightProfile::FlightProfile(ProfilePoint start, std::vector<ProfilePoint> point
   if (points_.empty()) points_.push_back(start);
 }
 
-void FlightProfile::override_demand(double n1_rpm) {
+void FlightProfile::override_demand(const Demand& demand) {
   demand_overridden_ = true;
-  override_.n1_rpm = n1_rpm;
+  override_.demand = demand;
 }
 
 void FlightProfile::override_flight(const FlightCondition& flight) {
@@ -31,10 +31,10 @@ ProfilePoint FlightProfile::at(double time_s) const {
     const double s = (time_s - a.time_s) / (b.time_s - a.time_s);
     point.flight = {std::lerp(a.flight.altitude_m, b.flight.altitude_m, s), std::lerp(a.flight.mach, b.flight.mach, s),
                     std::lerp(a.flight.delta_isa_k, b.flight.delta_isa_k, s)};
-    point.n1_rpm = std::lerp(a.n1_rpm, b.n1_rpm, s);
+    point.demand = {a.demand.kind, std::lerp(a.demand.value, b.demand.value, s)};
   }
   point.time_s = time_s;
-  if (demand_overridden_) point.n1_rpm = override_.n1_rpm;
+  if (demand_overridden_) point.demand = override_.demand;
   if (flight_overridden_) point.flight = override_.flight;
   return point;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Flight condition and fan speed demand at a time: linear between the points of the profile, held outside.
+// Flight condition and demand at a time: linear between the points of the profile, held outside.
 
 #include <vector>
 
@@ -14,7 +14,7 @@ class FlightProfile {
 
   ProfilePoint at(double time_s) const;
   /// From now on these hold, whatever the profile says: an operator took over.
-  void override_demand(double n1_rpm);
+  void override_demand(const Demand& demand);
   void override_flight(const FlightCondition& flight);
 
  private:

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine_sim/control/fuel_governor.h"
+#include "engine_sim/control/jt9d_control.h"
 #include "engine_sim/model/gas_path.h"
 #include "engine_sim/model/steady.h"
 #include "engine_sim/sensors/sensor_suite.h"
@@ -18,7 +18,7 @@ namespace ehm::engine {
 struct ProfilePoint {
   double time_s = 0.0;
   FlightCondition flight;
-  double n1_rpm = 0.0;
+  Demand demand{DemandKind::n1_rpm, 0.0};  ///< n1_rpm or net_thrust_n, the same kind in all points
 };
 
 /// Wear of one health parameter: h(t) = initial + drift t.
@@ -49,7 +49,7 @@ struct Scenario {
   std::int64_t seed = 1;
 
   FlightCondition flight{10668.0, 0.8, 0.0};
-  /// Demand for the new engine at the start; what it gives as fan speed is what the governor holds for the worn one.
+  /// Demand for the new engine at the start; what it gives as fan speed is what the control holds for the worn one.
   Demand demand{DemandKind::t40_k, 1308.6};
   std::vector<ProfilePoint> profile;  ///< empty: the start is held
 
@@ -57,7 +57,7 @@ struct Scenario {
   std::vector<HealthChange> health_changes;
   std::vector<ScheduledFault> faults;
   SensorSuiteOptions sensors;
-  GovernorOptions governor;
+  ControlData control = jt9d_control();
 };
 
 }  // namespace ehm::engine

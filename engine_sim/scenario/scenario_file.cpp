@@ -42,12 +42,18 @@ void for_each_table(const std::string& file, const std::string& name, const toml
   }
 }
 
+Demand profile_demand(TableReader& t) {
+  if (!t.has("net_thrust_n")) return {DemandKind::n1_rpm, t.real("n1_rpm", 500, 5000)};
+  return {DemandKind::net_thrust_n, t.real("net_thrust_n", 0, 1e6)};
+}
+
 void declare_tables(Schema& schema, Scenario& s) {
   static const auto health = list_of(health_names);
   static const auto sensors = list_of(sensor_names);
   static const std::vector<std::string> kinds{"bias", "drift", "stuck", "dropout", "noise"};
   schema.tables("profile",
-                "flight and fan speed over time: time_s, n1_rpm, and optionally altitude_m, mach, delta_isa_k",
+                "flight and demand over time: time_s, n1_rpm or net_thrust_n (one of them throughout), and optionally "
+                "altitude_m, mach, delta_isa_k",
                 [&s](const std::string& file, const toml::array& array) {
                   for_each_table(file, "profile", array, [&](TableReader& t) {
                     const FlightCondition before = s.profile.empty() ? s.flight : s.profile.back().flight;
@@ -55,7 +61,7 @@ void declare_tables(Schema& schema, Scenario& s) {
                                          {t.real_or("altitude_m", before.altitude_m, -500, 15000),
                                           t.real_or("mach", before.mach, 0, 0.95),
                                           t.real_or("delta_isa_k", before.delta_isa_k, -60, 60)},
-                                         t.real("n1_rpm", 500, 5000)});
+                                         profile_demand(t)});
                   });
                 });
   schema.tables("wear",
@@ -91,7 +97,7 @@ void declare_tables(Schema& schema, Scenario& s) {
                 });
 }
 
-void declare_sensors_and_control(Schema& schema, Scenario& s) {
+void declare_sensors(Schema& schema, Scenario& s) {
   auto& n = s.sensors;
   schema.real("sensors.noise_speed_percent", n.noise_speed_percent, 0, 20, "percent", "noise of the speeds, of trim");
   schema.real("sensors.noise_pressure_percent", n.noise_pressure_percent, 0, 20, "percent",
@@ -105,13 +111,22 @@ void declare_sensors_and_control(Schema& schema, Scenario& s) {
               "first-order lag of the temperatures (AGTF30: 0.7)");
   schema.real("sensors.quantisation_percent", n.quantisation_percent, 0, 5, "percent",
               "smallest step of a reading, of trim");
-  auto& g = s.governor;
-  schema.real("governor.proportional", g.proportional, 0, 100, "", "relative fuel per relative fan speed error");
-  schema.real("governor.integral_per_s", g.integral_per_s, 0, 100, "1/s",
-              "relative fuel per relative fan speed error and second");
-  schema.real("governor.slew_per_s", g.slew_per_s, 0.001, 10, "1/s", "fastest change of fuel flow, of its trim");
-  schema.real("governor.fuel_min_of_trim", g.fuel_min_of_trim, 0.05, 1, "", "least fuel flow, of its trim");
-  schema.real("governor.fuel_max_of_trim", g.fuel_max_of_trim, 1, 2, "", "largest fuel flow, of its trim");
+}
+
+void declare_control(Schema& schema, Scenario& s) {
+  EngineLimits& limit = s.control.limits;
+  schema.flag("control.hold_limits", s.control.hold_limits,
+              "whether the control holds the limits below; its acceleration and deceleration schedules always act");
+  schema.real("control.n1_max_rpm", limit.n1_rpm, 500, 6000, "rpm", "fan speed limit");
+  schema.real("control.n1_corrected_max_rpm", limit.n1_corrected_rpm, 500, 6000, "rpm", "limit of N1/sqrt(theta2)");
+  schema.real("control.n2_max_rpm", limit.n2_rpm, 3000, 12000, "rpm", "core speed limit");
+  schema.real("control.n2_corrected_max_rpm", limit.n2_corrected_rpm, 3000, 12000, "rpm", "limit of N2/sqrt(theta2)");
+  schema.real("control.t48_max_k", limit.t48_k, 500, 2000, "K", "limit of the gas temperature behind the HPT");
+  schema.real("control.ps30_max_pa", limit.ps_30_pa, 1e5, 1e7, "Pa", "limit of the static pressure behind the HPC");
+  schema.real("control.idle_n2_corrected_rpm", limit.idle_n2_corrected_rpm, 3000, 12000, "rpm",
+              "least core speed N2/sqrt(theta2): idle");
+  schema.real("control.speed_bandwidth_rad_s", s.control.fuel.speed_bandwidth_rad_s, 0.1, 10, "rad/s",
+              "how fast the speed loops close: a small error falls to 1/e in its inverse");
 }
 
 }  // namespace
@@ -138,8 +153,9 @@ void declare(Schema& schema, SimConfig& c) {
   schema.choice("demand.kind", c.demand_kind, {"t40_k", "n1_rpm", "net_thrust_n", "fuel_flow_kg_s"},
                 "what demand.value is, for the new engine");
   schema.real("demand.value", s.demand.value, 0, 1e6, "by kind",
-              "demand at the start; the governor holds the fan speed that it gives");
-  declare_sensors_and_control(schema, s);
+              "demand at the start; the control holds the fan speed that it gives");
+  declare_sensors(schema, s);
+  declare_control(schema, s);
   schema.integer("dds.domain", c.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", c.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", c.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
@@ -165,6 +181,17 @@ void check_health_sum(const Scenario& s) {
   }
 }
 
+void check_profile(const std::vector<ProfilePoint>& p) {
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    if (!(p[i].time_s > p[i - 1].time_s))
+      throw ConfigError("'profile.time_s' is " + config::number_text(p[i].time_s) + " after " +
+                        config::number_text(p[i - 1].time_s) + ", allowed are rising times");
+    if (p[i].demand.kind != p[i - 1].demand.kind)
+      throw ConfigError("'profile' at " + config::number_text(p[i].time_s) +
+                        " s changes between n1_rpm and net_thrust_n, allowed is one of them throughout");
+  }
+}
+
 }  // namespace
 
 double SimConfig::rate_factor() const {
@@ -183,11 +210,7 @@ void finish_config(SimConfig& c) {
                            : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n
                                                              : DemandKind::fuel_flow_kg_s;
   check_health_sum(c.scenario);
-  const auto& p = c.scenario.profile;
-  for (std::size_t i = 1; i < p.size(); ++i)
-    if (!(p[i].time_s > p[i - 1].time_s))
-      throw ConfigError("'profile.time_s' is " + config::number_text(p[i].time_s) + " after " +
-                        config::number_text(p[i - 1].time_s) + ", allowed are rising times");
+  check_profile(c.scenario.profile);
 }
 
 }  // namespace ehm::engine

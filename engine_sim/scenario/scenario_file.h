@@ -3,8 +3,8 @@
 //
 //   [engine] id, source_id        [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
-//   [sensors] noise, lag, quantisation          [governor] gains and limits       [dds] domain, partition, profiles
-//   [[profile]] time_s, n1_rpm, altitude_m, mach, delta_isa_k
+//   [sensors] noise, lag, quantisation          [control] limits, bandwidth        [dds] domain, partition, profiles
+//   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k
 //   [[wear]] parameter, initial, drift_per_hour
 //   [[health_change]] time_s, parameter, change, ramp_s
 //   [[sensor_fault]] time_s, sensor, kind, magnitude, duration_s

@@ -42,6 +42,30 @@ std::string monitor_error(const std::string& toml) {
   return place == std::string::npos ? message : message.substr(place + 6);
 }
 
+TEST(ScenarioFile, ReadsTheControlAndAThrustProfile) {
+  const auto s = load_scenario(R"(
+[control]
+hold_limits = false
+t48_max_k = 1100
+idle_n2_corrected_rpm = 6500
+[[profile]]
+time_s = 0
+net_thrust_n = 40000
+)").scenario;
+  EXPECT_FALSE(s.control.hold_limits);
+  EXPECT_DOUBLE_EQ(s.control.limits.t48_k, 1100.0);
+  EXPECT_DOUBLE_EQ(s.control.limits.idle_n2_corrected_rpm, 6500.0);
+  EXPECT_EQ(s.profile.at(0).demand.kind, engine::DemandKind::net_thrust_n);
+  EXPECT_DOUBLE_EQ(s.profile.at(0).demand.value, 40000.0);
+}
+
+TEST(ScenarioFile, RefusesAProfileOfTwoKinds) {
+  EXPECT_EQ(scenario_error("[[profile]]\ntime_s = 0\nn1_rpm = 3000\n[[profile]]\ntime_s = 5\nnet_thrust_n = 3e4\n"),
+            "'profile' at 5 s changes between n1_rpm and net_thrust_n, allowed is one of them throughout");
+  EXPECT_NE(scenario_error("[[profile]]\ntime_s = 0\nn1_rpm = 3000\nnet_thrust_n = 3e4\n"), "");
+  EXPECT_NE(scenario_error("[control]\nt48_max_k = 100\n"), "");
+}
+
 TEST(ScenarioFile, ReadsWearFaultsAndProfile) {
   const auto config = load_scenario(R"(
 [engine]

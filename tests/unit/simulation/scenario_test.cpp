@@ -32,17 +32,18 @@ TEST(Deterioration, AnOrderReachesItsTargetWhateverWasOnItsWay) {
 }
 
 TEST(FlightProfile, InterpolatesAndHolds) {
-  FlightProfile p({}, {{10.0, {1000.0, 0.4, 0.0}, 3000.0}, {20.0, {2000.0, 0.5, 10.0}, 3500.0}});
-  EXPECT_DOUBLE_EQ(p.at(0.0).n1_rpm, 3000.0);
+  FlightProfile p({}, {{10.0, {1000.0, 0.4, 0.0}, {DemandKind::n1_rpm, 3000.0}},
+                       {20.0, {2000.0, 0.5, 10.0}, {DemandKind::n1_rpm, 3500.0}}});
+  EXPECT_DOUBLE_EQ(p.at(0.0).demand.value, 3000.0);
   EXPECT_DOUBLE_EQ(p.at(15.0).flight.altitude_m, 1500.0);
-  EXPECT_DOUBLE_EQ(p.at(15.0).n1_rpm, 3250.0);
+  EXPECT_DOUBLE_EQ(p.at(15.0).demand.value, 3250.0);
   EXPECT_DOUBLE_EQ(p.at(99.0).flight.delta_isa_k, 10.0);
 }
 
 TEST(FlightProfile, AnOperatorsOrderHoldsFromThenOn) {
-  FlightProfile p({0.0, {1000.0, 0.4, 0.0}, 3000.0}, {});
-  p.override_demand(3300.0);
-  EXPECT_DOUBLE_EQ(p.at(5.0).n1_rpm, 3300.0);
+  FlightProfile p({0.0, {1000.0, 0.4, 0.0}, {DemandKind::n1_rpm, 3000.0}}, {});
+  p.override_demand({DemandKind::n1_rpm, 3300.0});
+  EXPECT_DOUBLE_EQ(p.at(5.0).demand.value, 3300.0);
   EXPECT_DOUBLE_EQ(p.at(5.0).flight.altitude_m, 1000.0);
   p.override_flight({2000.0, 0.5, 0.0});
   EXPECT_DOUBLE_EQ(p.at(5.0).flight.altitude_m, 2000.0);

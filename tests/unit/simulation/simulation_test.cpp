@@ -32,15 +32,15 @@ TEST(Simulation, ANewEngineInBalanceStaysInBalance) {
   EXPECT_NEAR(first.auxiliary[0], 1308.6, 1e-3);  // T40, the demand
 }
 
-TEST(Simulation, TheGovernorHoldsTheFanSpeedOfAWearingEngine) {
+TEST(Simulation, TheControlHoldsTheFanSpeedOfAWearingEngine) {
   Scenario s = quiet();
   s.health_changes = {{1.0, hpc_efficiency, -0.02, 0.0}};
   Simulation simulation(s);
   const double n1_rpm = simulation.next().readings[0].value;
-  const double fuel = simulation.next().fuel_flow_kg_s;
+  const double fuel = simulation.next().actuation.fuel_flow_kg_s;
   const SimSample later = fly(simulation, 1400);
   EXPECT_NEAR(later.readings[0].value, n1_rpm, 1e-3 * n1_rpm);
-  EXPECT_GT(later.fuel_flow_kg_s, 1.002 * fuel);  // a worse compressor burns more for the same fan speed
+  EXPECT_GT(later.actuation.fuel_flow_kg_s, 1.002 * fuel);  // a worse compressor burns more for the same fan speed
 }
 
 TEST(Simulation, SameSeedSameReadings) {
@@ -62,6 +62,60 @@ TEST(Simulation, NoiseHasTheStatedSigma) {
   }
   const double sigma = 0.0075 * nominal.s30.tt_k;
   EXPECT_NEAR(std::sqrt(square / n), sigma, 4.0 * sigma / std::sqrt(2.0 * n));
+}
+
+TEST(Simulation, ADemandOutOfReachIsHeldByTheLimits) {
+  Scenario s = quiet();
+  Simulation simulation(s);
+  simulation.demand({DemandKind::n1_rpm, 5000.0});
+  const SimSample high = fly(simulation, 2000);
+  EXPECT_EQ(high.actuation.active, FuelLoop::n1_limit);
+  EXPECT_LT(high.readings[0].value, 1.001 * s.control.limits.n1_rpm);
+  simulation.demand({DemandKind::net_thrust_n, 1.0});
+  EXPECT_EQ(fly(simulation, 4000).actuation.active, FuelLoop::n2_idle);
+  simulation.demand({DemandKind::net_thrust_n, 1e6});
+  EXPECT_NEAR(fly(simulation, 2000).readings[0].value, high.readings[0].value, 0.1);  // as far as for fan speed
+}
+
+TEST(Simulation, AThrustProfileGivesItsThrust) {
+  Scenario s = quiet();
+  s.profile = {{0.0, {10668.0, 0.8, 0.0}, {DemandKind::net_thrust_n, 40e3}},
+               {60.0, {10068.0, 0.78, 0.0}, {DemandKind::net_thrust_n, 36e3}}};
+  Simulation simulation(s);
+  EXPECT_NEAR(simulation.next().auxiliary[2], 40e3, 40.0);
+  EXPECT_NEAR(fly(simulation, 2000).auxiliary[2], 38e3, 200.0);  // half way; the engine follows the ramp
+  EXPECT_NEAR(fly(simulation, 3000).auxiliary[2], 36e3, 36.0);
+}
+
+TEST(Simulation, CruiseStartsWithVanesOnScheduleAndClosedValves) {
+  Simulation simulation(quiet());
+  const SimSample later = fly(simulation, 200);
+  EXPECT_NEAR(later.geometry.vsv_deg, 0.0, 1e-6);
+  EXPECT_EQ(later.geometry.vbv_fraction, 0.0);
+  EXPECT_EQ(later.actuation.active, FuelLoop::n1_governor);
+}
+
+TEST(Simulation, AWornEngineStartsWhereTheLimitsHoldIt) {
+  Scenario s = quiet();
+  s.control.limits.t48_k = 1000.0;  // the worn engine needs more for the new one's fan speed
+  for (Wear& w : s.wear) w.initial = -0.02;
+  Simulation simulation(s);
+  EXPECT_NEAR(simulation.next().readings[6].value, 1000.0, 1.0);
+  EXPECT_NEAR(fly(simulation, 500).readings[6].value, 1000.0, 0.1);
+}
+
+TEST(Simulation, AFlightThatItSaysItSurvivesIsSurvived) {
+  int survived = 0;
+  for (const FlightCondition& flight : {FlightCondition{9000.0, 0.75, 0.0}, FlightCondition{12000.0, 0.85, 10.0},
+                                        FlightCondition{3000.0, 0.5, -10.0}}) {
+    Simulation simulation(quiet());
+    if (!simulation.can_fly(flight)) continue;
+    ++survived;
+    simulation.fly(flight);
+    EXPECT_NO_THROW(fly(simulation, 1000));
+  }
+  EXPECT_GE(survived, 2);
+  EXPECT_FALSE(Simulation(quiet()).can_fly({30000.0, 0.8, 0.0}));  // above the atmosphere
 }
 
 TEST(Simulation, SaysWhatItCannotFly) {

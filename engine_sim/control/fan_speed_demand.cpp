@@ -1,0 +1,45 @@
+#include "engine_sim/control/fan_speed_demand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine_sim/control/scheduled_point.h"
+
+namespace ehm::engine {
+namespace {
+
+/// A change of these moves net thrust at constant fan speed by less than 0.1 % (0.1 % of pressure, of temperature).
+bool alike(const FlightCondition& a, const FlightCondition& b) {
+  return std::abs(a.altitude_m - b.altitude_m) < 5.0 && std::abs(a.mach - b.mach) < 5e-4 &&
+         std::abs(a.delta_isa_k - b.delta_isa_k) < 0.1;
+}
+
+}  // namespace
+
+double FanSpeedDemand::n1_rpm(const Demand& demand, const FlightCondition& flight) {
+  if (demand.kind == DemandKind::n1_rpm) return demand.value;
+  if (demand.kind != DemandKind::net_thrust_n) throw std::invalid_argument("control: demand is n1_rpm or net_thrust_n");
+  if (!last_ || last_->net_thrust_n != demand.value || !alike(last_->flight, flight)) {
+    last_ = Converted{demand.value, flight, converted(demand.value, flight)};
+  }
+  return last_->n1_rpm;
+}
+
+double FanSpeedDemand::converted(double net_thrust_n, const FlightCondition& flight) {
+  const double root_theta = std::sqrt(intake(engine_.data().inlet, flight).tt_k / reference_temperature_k);
+  const double n1_most = std::min(data_.limits.n1_rpm, data_.limits.n1_corrected_rpm * root_theta);
+  const Surroundings new_engine{.flight = flight};
+  const SteadyPoint* near = near_ ? &*near_ : nullptr;
+  const SteadyPoint most = solve_scheduled(engine_, data_, new_engine, {DemandKind::n1_rpm, n1_most}, near);
+  if (!near_) near_ = most;
+  if (net_thrust_n >= most.gas.net_thrust_n) return n1_most;
+  try {
+    near_ = solve_scheduled(engine_, data_, new_engine, {DemandKind::net_thrust_n, net_thrust_n}, &*near_);
+    return near_->gas.speeds.n1_rpm;
+  } catch (const SolveError&) {
+    return 0.0;  // less thrust than the engine gives where it runs: idle
+  }
+}
+
+}  // namespace ehm::engine
