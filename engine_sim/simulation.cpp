@@ -19,12 +19,11 @@ std::string describe(const FlightCondition& flight, const std::string& demand) {
 
 /// The new engine at the demand that starts the flight, or a message for the person who made it.
 SteadyPoint trimmed(const Turbofan& turbofan, const Scenario& scenario) {
-  constexpr const char* names[]{"fuel_flow_kg_s", "n1_rpm", "net_thrust_n", "t40_k"};
   try {
     return solve_scheduled(turbofan, scenario.control, {.flight = scenario.flight}, scenario.demand);
   } catch (const std::exception& e) {
     std::ostringstream text;
-    text << describe(scenario.flight, names[static_cast<std::size_t>(scenario.demand.kind)]) << " = "
+    text << describe(scenario.flight, std::string(demand_names[static_cast<std::size_t>(scenario.demand.kind)])) << " = "
          << scenario.demand.value
          << " (at cruise t40_k may be some 1000 to 1400); change demand or flight: " << e.what();
     throw FlightError(text.str());

@@ -13,7 +13,11 @@ struct EngineLimits {
   double n2_rpm, n2_corrected_rpm;
   double t48_k;
   double ps_30_pa;
-  double idle_n2_corrected_rpm;  ///< least corrected core speed
+  double ground_idle_n2_corrected_rpm, flight_idle_n2_corrected_rpm;  ///< least corrected core speed
+
+  double idle_n2_corrected_rpm(bool on_ground) const {
+    return on_ground ? ground_idle_n2_corrected_rpm : flight_idle_n2_corrected_rpm;
+  }
 };
 
 /// How a measured quantity answers relative fuel flow at constant flight condition, as one lag (linear model):

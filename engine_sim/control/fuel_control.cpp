@@ -30,7 +30,7 @@ std::array<double, FuelControl::regulator_count> FuelControl::errors(const Measu
   const double n1_max = std::min(limit.n1_rpm, limit.n1_corrected_rpm * root_theta);
   const double n2_max = std::min(limit.n2_rpm, limit.n2_corrected_rpm * root_theta);
   return {n1_reference_rpm_ / m.n1_rpm - 1.0,
-          limit.idle_n2_corrected_rpm * root_theta / m.n2_rpm - 1.0,
+          limit.idle_n2_corrected_rpm(m.on_ground) * root_theta / m.n2_rpm - 1.0,
           n1_max / m.n1_rpm - 1.0,
           n2_max / m.n2_rpm - 1.0,
           limit.t48_k / m.t48_k - 1.0,

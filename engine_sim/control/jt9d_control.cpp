@@ -1,18 +1,23 @@
 #include "engine_sim/control/jt9d_control.h"
 
+#include "engine_sim/model/engines/jt9d.h"
+
 namespace ehm::engine {
 namespace {
 
-// Fractions of the design point (sea level static, ISA + 15 K: N1 3750, N2 8000 rpm, T48 1186 K, Ps30 1.925 MPa), and
-// of the speeds where the maps have n = 1 (N1 3944, N2 7950 rpm corrected); margins are assumptions: 4 % of speed, 4 %
-// of T48 for a worn engine at rated fan speed, 15 % of pressure for sea level on a cold day.
-constexpr EngineLimits limits{.n1_rpm = 3900.0,
-                              .n1_corrected_rpm = 4100.0,
-                              .n2_rpm = 8320.0,
-                              .n2_corrected_rpm = 8320.0,
-                              .t48_k = 1233.0,
-                              .ps_30_pa = 2.2e6,
-                              .idle_n2_corrected_rpm = 6300.0};
+// Speeds and idle are the engine's ratings. T48 and Ps30 as fractions of the design point (sea level static, ISA + 15
+// K: 1186 K, 1.925 MPa); margins are assumptions: 4 % of T48 for a worn engine at rated fan speed, 15 % of pressure for
+// sea level on a cold day.
+EngineLimits limits(const Ratings& ratings) {
+  return {.n1_rpm = ratings.n1_max_rpm,
+          .n1_corrected_rpm = ratings.corrected_n1_max_rpm,
+          .n2_rpm = ratings.n2_max_rpm,
+          .n2_corrected_rpm = ratings.corrected_n2_max_rpm,
+          .t48_k = 1233.0,
+          .ps_30_pa = 2.2e6,
+          .ground_idle_n2_corrected_rpm = ratings.ground_idle_corrected_n2_rpm,
+          .flight_idle_n2_corrected_rpm = ratings.flight_idle_corrected_n2_rpm};
+}
 
 // Gains and lags: linear model of the new engine, mean of five flight conditions from sea level static to 13.5 km;
 // fuel_response_test compares them with the model. Assumptions: the bandwidths, how the reference is led, a slew that
@@ -58,7 +63,7 @@ constexpr BleedValveControlData bleed_valves{.low_speed = {{{2050, 0.10}, {2550,
 }  // namespace
 
 ControlData jt9d_control() {
-  return {.limits = limits, .fuel = fuel, .vanes = vanes, .bleed_valves = bleed_valves};
+  return {.limits = limits(jt9d().ratings), .fuel = fuel, .vanes = vanes, .bleed_valves = bleed_valves};
 }
 
 }  // namespace ehm::engine

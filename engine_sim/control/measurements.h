@@ -17,6 +17,7 @@ struct Measurements {
   double t48_k;
   double ps_30_pa;
   double t2_k, p2_pa;
+  bool on_ground = false;  ///< weight on wheels, ratings.h
 
   double theta2() const { return t2_k / reference_temperature_k; }
   double delta2() const { return p2_pa / reference_pressure_pa; }
@@ -29,8 +30,8 @@ inline double fuel_per_ratio_unit(const Measurements& m, double theta_exponent) 
   return 1e-6 * m.ps_30_pa * std::pow(m.theta2(), theta_exponent);
 }
 
-inline Measurements measure(const GasPath& gas) {
-  return {gas.speeds.n1_rpm, gas.speeds.n2_rpm, gas.s48.tt_k, gas.ps_30_pa, gas.s2.tt_k, gas.s2.pt_pa};
+inline Measurements measure(const GasPath& gas, bool on_ground = false) {
+  return {gas.speeds.n1_rpm, gas.speeds.n2_rpm, gas.s48.tt_k, gas.ps_30_pa, gas.s2.tt_k, gas.s2.pt_pa, on_ground};
 }
 
 }  // namespace ehm::engine

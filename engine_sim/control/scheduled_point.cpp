@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine_sim/control/controlled_engine.h"
+#include "engine_sim/model/ratings.h"
 
 namespace ehm::engine {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 /// Would the control leave the engine there?
 bool held(const ControlData& data, const Measurements& m) {
   const EngineLimits& limit = data.limits;
-  if (m.n2_corrected_rpm() < limit.idle_n2_corrected_rpm) return false;
+  if (m.n2_corrected_rpm() < limit.idle_n2_corrected_rpm(m.on_ground)) return false;
   if (!data.hold_limits) return true;
   return m.n1_rpm <= limit.n1_rpm && m.n1_corrected_rpm() <= limit.n1_corrected_rpm && m.n2_rpm <= limit.n2_rpm &&
          m.n2_corrected_rpm() <= limit.n2_corrected_rpm && m.t48_k <= limit.t48_k && m.ps_30_pa <= limit.ps_30_pa;
@@ -42,7 +43,8 @@ SteadyPoint solve_scheduled(const Turbofan& engine, const ControlData& data, con
   Operation operation{.flight = surroundings.flight, .health = surroundings.health, .offtake = surroundings.offtake};
   SteadyPoint point = solve_steady(engine, operation, demand, start);
   for (int i = 0; i < rounds; ++i) {
-    const double command = bleed_valve_command(data, measure(point.gas), point.gas.fuel_flow_kg_s);
+    const double command =
+        bleed_valve_command(data, measure(point.gas, on_ground(surroundings.flight)), point.gas.fuel_flow_kg_s);
     if (std::abs(command - operation.geometry.vbv_fraction) < close_enough) return point;
     operation.geometry.vbv_fraction = command;
     point = solve_steady(engine, operation, demand, &point);
@@ -55,7 +57,7 @@ SteadyPoint settled(const Turbofan& engine, const ControlData& data, const Surro
   try {
     if (n1_demand_rpm > 0.0) {
       const SteadyPoint point = solve_scheduled(engine, data, surroundings, {DemandKind::n1_rpm, n1_demand_rpm});
-      if (held(data, measure(point.gas))) return point;
+      if (held(data, measure(point.gas, on_ground(surroundings.flight)))) return point;
     }
   } catch (const SolveError&) {
     // no such steady point: what the control makes of the demand is found by flying

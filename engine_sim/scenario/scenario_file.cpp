@@ -123,8 +123,10 @@ void declare_control(Schema& schema, Scenario& s) {
   schema.real("control.n2_corrected_max_rpm", limit.n2_corrected_rpm, 3000, 12000, "rpm", "limit of N2/sqrt(theta2)");
   schema.real("control.t48_max_k", limit.t48_k, 500, 2000, "K", "limit of the gas temperature behind the HPT");
   schema.real("control.ps30_max_pa", limit.ps_30_pa, 1e5, 1e7, "Pa", "limit of the static pressure behind the HPC");
-  schema.real("control.idle_n2_corrected_rpm", limit.idle_n2_corrected_rpm, 3000, 12000, "rpm",
-              "least core speed N2/sqrt(theta2): idle");
+  schema.real("control.ground_idle_n2_corrected_rpm", limit.ground_idle_n2_corrected_rpm, 3000, 12000, "rpm",
+              "least core speed N2/sqrt(theta2) up to Mach 0.25 and 3000 m");
+  schema.real("control.flight_idle_n2_corrected_rpm", limit.flight_idle_n2_corrected_rpm, 3000, 12000, "rpm",
+              "least core speed N2/sqrt(theta2) elsewhere");
   schema.real("control.speed_bandwidth_rad_s", s.control.fuel.speed_bandwidth_rad_s, 0.1, 10, "rad/s",
               "how fast the speed loops close: a small error falls to 1/e in its inverse");
 }

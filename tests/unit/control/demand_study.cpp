@@ -6,6 +6,7 @@
 
 #include "engine_sim/control/jt9d_control.h"
 #include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/model/ratings.h"
 #include "tests/unit/control/demand_sequence.h"
 
 namespace ehm::test {
@@ -24,7 +25,7 @@ StudyResult empty_result() {
   return r;
 }
 
-std::array<double, figure_count> figures(const EngineLimits& limit, const GasPath& gas) {
+std::array<double, figure_count> figures(const EngineLimits& limit, const GasPath& gas, bool on_ground) {
   const Measurements m = measure(gas);
   const double root_theta = std::sqrt(m.theta2());
   const auto over = [](double value, double most) { return 100.0 * (value / most - 1.0); };
@@ -34,7 +35,7 @@ std::array<double, figure_count> figures(const EngineLimits& limit, const GasPat
           over(m.n2_rpm, std::min(limit.n2_rpm, limit.n2_corrected_rpm * root_theta)),
           over(m.t48_k, limit.t48_k),
           over(m.ps_30_pa, limit.ps_30_pa),
-          -over(m.n2_corrected_rpm(), limit.idle_n2_corrected_rpm)};
+          -over(m.n2_corrected_rpm(), limit.idle_n2_corrected_rpm(on_ground))};
 }
 
 void keep(StudyResult& all, const StudyResult& one) {
@@ -47,6 +48,7 @@ void keep(StudyResult& all, const StudyResult& one) {
 StudyResult fly(const Turbofan& engine, std::uint64_t seed, double duration_s) {
   static const ControlData data = jt9d_control();
   const DemandSequence s = random_sequence(seed, duration_s);
+  const bool from_ground = on_ground(s.flight);  // after lift-off the core rises to the idle of flight
   StudyResult result = empty_result();
   double time_s = 0.0;
   const auto demand_rpm = [&] {
@@ -58,7 +60,7 @@ StudyResult fly(const Turbofan& engine, std::uint64_t seed, double duration_s) {
     for (int k = 0; time_s < duration_s; time_s = ++k * dt_s) {
       const Surroundings now{s.flight_at(time_s), s.health, {}};
       const auto [actuation, geometry, gas] = run.step(now, demand_rpm(), dt_s);
-      const auto values = figures(data.limits, gas);
+      const auto values = figures(data.limits, gas, from_ground || on_ground(now.flight));
       for (std::size_t i = 0; i < figure_count; ++i) {
         const Worst here{values[i], seed, time_s, now.flight, measure(gas).n1_corrected_rpm(), actuation.active};
         if (here.worse_than(result.worst[i], Figure(i))) result.worst[i] = here;

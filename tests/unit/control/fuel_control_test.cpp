@@ -81,7 +81,7 @@ TEST(FuelControl, ALimitWinsOverTheDemandAndIdleOverLess) {
   m.n2_rpm = 1.001 * limit.n2_rpm;
   EXPECT_EQ(active_at(m, m.n1_rpm), FuelLoop::n2_limit);
   m = middle;
-  m.n2_rpm = 0.999 * limit.idle_n2_corrected_rpm;
+  m.n2_rpm = 0.999 * limit.flight_idle_n2_corrected_rpm;
   m.ps_30_pa = 0.5e6;
   EXPECT_EQ(active_at(m, m.n1_rpm), FuelLoop::n2_idle);
 }

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "engine_sim/model/ratings.h"
 #include "tests/unit/control/controlled_flight.h"
 
 namespace {
@@ -64,9 +65,9 @@ INSTANTIATE_TEST_SUITE_P(Control, Limit,
                          [](const auto& one) { return one.param.name; });
 
 TEST(Idle, IsHeldEverywhereWhateverLittleIsDemanded) {
-  const double idle_rpm = jt9d_control().limits.idle_n2_corrected_rpm;
   for (const FlightCondition& flight : {sea_level, cruise, ceiling, FlightCondition{13500.0, 0.5, -20.0}}) {
     ControlledFlight run(flight, 3600.0 * root_theta2(flight));
+    const double idle_rpm = jt9d_control().limits.idle_n2_corrected_rpm(on_ground(flight));
     double least = 1e9;
     const ControlledSample last = run.fly(500.0, 60.0, [&](const ControlledSample& s, double) {
       least = std::min(least, measure(s.gas).n2_corrected_rpm());
@@ -81,7 +82,7 @@ TEST(Idle, AFlightMayStartBeyondEitherEnd) {
   const ControlData data = jt9d_control();
   for (const double n1_rpm : {0.0, 500.0, 4900.0}) {
     const Measurements m = measure(settled(new_engine(), data, {cruise, {}, {}}, n1_rpm).gas);
-    EXPECT_GT(m.n2_corrected_rpm(), 0.999 * data.limits.idle_n2_corrected_rpm);
+    EXPECT_GT(m.n2_corrected_rpm(), 0.999 * data.limits.flight_idle_n2_corrected_rpm);
     EXPECT_LT(m.n1_rpm, 1.001 * data.limits.n1_rpm);
     EXPECT_LT(m.n1_corrected_rpm(), 1.001 * data.limits.n1_corrected_rpm);
   }

@@ -47,14 +47,14 @@ TEST(ScenarioFile, ReadsTheControlAndAThrustProfile) {
 [control]
 hold_limits = false
 t48_max_k = 1100
-idle_n2_corrected_rpm = 6500
+flight_idle_n2_corrected_rpm = 6500
 [[profile]]
 time_s = 0
 net_thrust_n = 40000
 )").scenario;
   EXPECT_FALSE(s.control.hold_limits);
   EXPECT_DOUBLE_EQ(s.control.limits.t48_k, 1100.0);
-  EXPECT_DOUBLE_EQ(s.control.limits.idle_n2_corrected_rpm, 6500.0);
+  EXPECT_DOUBLE_EQ(s.control.limits.flight_idle_n2_corrected_rpm, 6500.0);
   EXPECT_EQ(s.profile.at(0).demand.kind, engine::DemandKind::net_thrust_n);
   EXPECT_DOUBLE_EQ(s.profile.at(0).demand.value, 40000.0);
 }
