@@ -20,21 +20,23 @@ std::string describe(const FlightCondition& flight, const std::string& demand) {
 /// The new engine at the demand that starts the flight, or a message for the person who made it.
 SteadyPoint trimmed(const Turbofan& turbofan, const Scenario& scenario) {
   try {
-    return solve_scheduled(turbofan, scenario.control, {.flight = scenario.flight}, scenario.demand);
+    return solve_scheduled(turbofan, scenario.control, {.flight = scenario.flight, .offtake = scenario.offtake},
+                           scenario.demand);
   } catch (const std::exception& e) {
     std::ostringstream text;
-    text << describe(scenario.flight, std::string(demand_names[static_cast<std::size_t>(scenario.demand.kind)])) << " = "
-         << scenario.demand.value
+    text << describe(scenario.flight, std::string(demand_names[static_cast<std::size_t>(scenario.demand.kind)]))
+         << " = " << scenario.demand.value
          << " (at cruise t40_k may be some 1000 to 1400); change demand or flight: " << e.what();
     throw FlightError(text.str());
   }
 }
 
 /// The worn engine where the flight starts: at its demand, or at the limit that stops it.
-ControlledEngine started(const Turbofan& turbofan, const ControlData& control, const Surroundings& surroundings,
+ControlledEngine started(const Turbofan& turbofan, const Scenario& scenario, const Surroundings& surroundings,
                          double n1_rpm) {
   try {
-    return {turbofan, control, settled(turbofan, control, surroundings, n1_rpm)};
+    return {turbofan, scenario.control, settled(turbofan, scenario.control, surroundings, n1_rpm),
+            scenario.heat_soak ? HeatSoak::with : HeatSoak::without};
   } catch (const std::exception& e) {
     std::ostringstream text;
     text << describe(surroundings.flight, "n1_rpm") << " = " << n1_rpm
@@ -52,7 +54,7 @@ Simulation::Simulation(const Scenario& scenario)
       profile_({0.0, scenario.flight, {DemandKind::n1_rpm, nominal_.gas.speeds.n1_rpm}}, scenario.profile),
       deterioration_(scenario),
       fan_speed_(turbofan_, scenario.control),
-      engine_(started(turbofan_, scenario.control, {profile_.at(0.0).flight, deterioration_.at(0.0), {}},
+      engine_(started(turbofan_, scenario, {profile_.at(0.0).flight, deterioration_.at(0.0), scenario.offtake},
                       fan_speed_.n1_rpm(profile_.at(0.0).demand, profile_.at(0.0).flight))),
       sensors_(scenario.sensors, true_sensors(nominal_.gas), static_cast<std::uint64_t>(scenario.seed)),
       pending_faults_(scenario.faults) {
@@ -84,7 +86,7 @@ SimSample Simulation::next() {
 ControlledSample Simulation::step(const ProfilePoint& now, const HealthVector& health) {
   const double n1_rpm = fan_speed_.n1_rpm(now.demand, now.flight);
   try {
-    return engine_.step({now.flight, health, {}}, n1_rpm, scenario_.sample_time_s);
+    return engine_.step({now.flight, health, scenario_.offtake}, n1_rpm, scenario_.sample_time_s);
   } catch (const std::exception& e) {
     std::ostringstream text;
     text << "after " << time_s() << " s, " << describe(now.flight, "n1_rpm") << " = " << n1_rpm
@@ -99,7 +101,7 @@ bool Simulation::can_fly(const FlightCondition& flight) const {
     FanSpeedDemand fan_speed = fan_speed_;
     const double n1_rpm = fan_speed.n1_rpm(profile_.at(time_s()).demand, flight);
     for (double flown_s = 0.0; flown_s < 1.0; flown_s += scenario_.sample_time_s) {
-      trial.step({flight, health(), {}}, n1_rpm, scenario_.sample_time_s);
+      trial.step({flight, health(), scenario_.offtake}, n1_rpm, scenario_.sample_time_s);
     }
     return true;
   } catch (const std::exception&) {

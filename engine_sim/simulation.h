@@ -47,6 +47,7 @@ class Simulation {
   double time_s() const { return static_cast<double>(sequence_) * scenario_.sample_time_s; }
   /// New engine at the start of the flight: trim of the sensors' noise, and of the description.
   const GasPath& nominal() const { return nominal_.gas; }
+  const Geometry& nominal_geometry() const { return nominal_.operation.geometry; }
   double noise_sigma(std::size_t sensor) const { return sensors_.noise_sigma(sensor); }
 
   /// `demand`: n1_rpm or net_thrust_n

@@ -59,7 +59,8 @@ enum class SimCommandKind : std::uint32_t {
   set_health = 3,    ///< channel, value[0]: fraction, value[1]: ramp time s (0: a step)
   add_health = 4,    ///< as set_health, relative to the present value
   sensor_fault = 5,  ///< channel, fault, value[0]: magnitude (SensorFaultKind), value[1]: duration s (0: until cleared)
-  clear_faults = 6   ///< all sensors
+  clear_faults = 6,  ///< all sensors
+  set_thrust = 7     ///< value[0]: net thrust demand net_thrust_n, which the new engine would give
 };
 
 enum class SensorFaultKind : std::uint32_t {

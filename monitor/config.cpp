@@ -40,6 +40,9 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
               "farther from the design's ambient temperature estimates are withheld");
   schema.real("validity.actuator_percent", v.actuator_percent, 0.1, 1000, "percent of trim",
               "farther from the design's actuator position estimates are withheld");
+  schema.real("validity.vane_deg", v.vane_deg, 0.1, 90, "deg", "the same for an actuator measured in degrees");
+  schema.real("validity.bleed_fraction", v.bleed_fraction, 0.001, 1, "",
+              "the same for an actuator measured as a fraction of a flow");
   auto& s = o.shift;
   schema.real("shift.window_s", s.window_s, 0.5, 60, "s",
               "a health shift is a change against the estimate so long ago");

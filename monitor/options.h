@@ -22,7 +22,9 @@ struct ValidityOptions {
   double altitude_m = 600.0;
   double mach = 0.04;
   double delta_isa_k = 6.0;
-  double actuator_percent = 15.0;  ///< of trim
+  double actuator_percent = 15.0;  ///< of trim, where that is not zero
+  double vane_deg = 3.0;           ///< of an actuator in degrees
+  double bleed_fraction = 0.03;    ///< of an actuator in fractions of a flow
 };
 
 struct ShiftOptions {

@@ -19,7 +19,8 @@ struct ControlledSample {
 class ControlledEngine {
  public:
   /// `start` has vanes and valves on their schedules, see scheduled_point.h.
-  ControlledEngine(const Turbofan& engine, const ControlData& data, const SteadyPoint& start);
+  ControlledEngine(const Turbofan& engine, const ControlData& data, const SteadyPoint& start,
+                   HeatSoak heat_soak = HeatSoak::without);
 
   /// The sample of now, and on to the next one.
   ControlledSample step(const Surroundings& surroundings, double n1_demand_rpm, double dt_s);

@@ -43,6 +43,9 @@ void apply(const SimCommand& c, Simulation& s) {
     case SimCommandKind::set_demand:
       require("value[0] (n1_rpm)", c.value()[0], 500, 5000);
       return s.demand({DemandKind::n1_rpm, c.value()[0]});
+    case SimCommandKind::set_thrust:
+      require("value[0] (net_thrust_n)", c.value()[0], 0, 1e6);
+      return s.demand({DemandKind::net_thrust_n, c.value()[0]});
     case SimCommandKind::set_flight:
       require("value[0] (altitude_m)", c.value()[0], -500, 15000);
       require("value[1] (mach)", c.value()[1], 0, 0.95);
@@ -61,7 +64,7 @@ void apply(const SimCommand& c, Simulation& s) {
       for (std::size_t i = 0; i < sensor_count; ++i) s.inject(i, {});
       return;
   }
-  throw std::invalid_argument("kind is " + std::to_string(c.kind()) + ", allowed is 1 to 6 (idl/wire_values.h)");
+  throw std::invalid_argument("kind is " + std::to_string(c.kind()) + ", allowed is 1 to 7 (idl/wire_values.h)");
 }
 
 void CommandReader::apply_all(Simulation& simulation, const std::function<void(const std::string&)>& say) {

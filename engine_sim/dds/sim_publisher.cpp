@@ -9,6 +9,7 @@ namespace ehm::engine {
 
 namespace {
 
+constexpr std::uint32_t actuator_count = 3;  ///< fuel flow, vanes, bleed valves, as in the linear model
 static_assert(sensor_count <= EHM_MAX_SENSORS && health_count <= EHM_MAX_HEALTH &&
               auxiliary_count <= EHM_MAX_AUXILIARY);
 
@@ -31,7 +32,7 @@ SimPublisher::SimPublisher(wire::Participant& participant, const Scenario& scena
   sensors_sample_.schema(wire::schema_version);
   sensors_sample_.source_id(source_id);
   sensors_sample_.sensor_count(sensor_count);
-  sensors_sample_.actuator_count(1);
+  sensors_sample_.actuator_count(actuator_count);
   truth_sample_.engine_id(engine_id);
   truth_sample_.schema(wire::schema_version);
   truth_sample_.source_id(source_id);
@@ -48,8 +49,10 @@ void SimPublisher::describe(const Simulation& simulation) {
   d.schema(wire::schema_version);
   d.engine_type() = scenario_.engine_type.c_str();
   d.sample_time_s(scenario_.sample_time_s);
-  d.actuator_count(1);
-  d.actuators()[0] = channel("Wf", "kg/s", nominal.fuel_flow_kg_s, 0.0);
+  d.actuator_count(actuator_count);
+  d.actuators()[0] = channel("fuel_flow", "kg/s", nominal.fuel_flow_kg_s, 0.0);
+  d.actuators()[1] = channel("VSV", "deg", 0.0, 0.0);  // off its schedule
+  d.actuators()[2] = channel("VBV", "fraction", simulation.nominal_geometry().vbv_fraction, 0.0);
   d.sensor_count(sensor_count);
   const auto sensors = true_sensors(nominal);
   for (std::size_t i = 0; i < sensor_count; ++i)
@@ -76,6 +79,8 @@ bool SimPublisher::publish(const SimSample& sample, std::int64_t source_time_ns)
   sensors_sample_.mach(sample.flight.mach);
   sensors_sample_.delta_isa_k(sample.flight.delta_isa_k);
   sensors_sample_.actuator()[0] = sample.actuation.fuel_flow_kg_s;
+  sensors_sample_.actuator()[1] = sample.geometry.vsv_deg;
+  sensors_sample_.actuator()[2] = sample.geometry.vbv_fraction;
   std::uint32_t valid = 0;
   for (std::size_t i = 0; i < sensor_count; ++i) {
     sensors_sample_.sensor()[i] = sample.readings[i].value;

@@ -48,6 +48,9 @@ struct Scenario {
   double duration_s = 0.0;  ///< 0: until stopped
   std::int64_t seed = 1;
 
+  bool heat_soak = false;  ///< of the metal behind HPC, HPT and LPT
+  Offtake offtake;         ///< what the aircraft takes all the time
+
   FlightCondition flight{10668.0, 0.8, 0.0};
   /// Demand for the new engine at the start; what it gives as fan speed is what the control holds for the worn one.
   Demand demand{DemandKind::t40_k, 1308.6};

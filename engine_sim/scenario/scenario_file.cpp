@@ -138,6 +138,11 @@ void declare(Schema& schema, SimConfig& c) {
   schema.integer("engine.id", s.engine_id, 1, 4294967295, "", "key of this engine on the wire");
   schema.integer("engine.source_id", s.source_id, 1, 4294967295, "",
                  "who measures: identifies this source on the wire");
+  schema.flag("engine.heat_soak", s.heat_soak,
+              "whether gas and metal behind HPC, HPT and LPT exchange heat, so that the gas path settles slowly");
+  schema.real("aircraft.customer_bleed_kg_s", s.offtake.customer_bleed_kg_s, 0, 10, "kg/s",
+              "air taken from the HPC's exit all the time");
+  schema.real("aircraft.power_w", s.offtake.power_w, 0, 1e6, "W", "power taken from the HP shaft all the time");
   schema.real("run.sample_time_s", s.sample_time_s, 0.001, 1, "s", "time between samples");
   schema.real("run.duration_s", s.duration_s, 0, far_future_s, "s", "simulated time to fly; 0: until stopped");
   schema.integer("run.seed", s.seed, 0, 9007199254740992, "",

@@ -1,11 +1,15 @@
 #pragma once
 // Is the engine where the design's linear model holds? distance = the largest of |flight - point| / tolerance and
-// |actuator - trim| / tolerance; valid up to 1, and again below 0.9.
+// |actuator - trim| / tolerance; valid up to 1, and again below 0.9. The tolerance of an actuator is a percentage of
+// its trim, but its own for degrees and fractions, whose trim may be zero; with zero trim in another unit it is not
+// judged.
 //
 // Outside, the estimates would be extrapolation without a stated error: they are withheld. Real-time safe: yes.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "monitor/judge/events.h"
 #include "monitor/options.h"
@@ -15,7 +19,9 @@ namespace ehm::monitor {
 
 class Validity {
  public:
-  Validity(const ValidityOptions& options, const estimation::LinearModel& model) : options_(options), model_(model) {}
+  Validity(const ValidityOptions& options, const estimation::LinearModel& model) : options_(options), model_(model) {
+    for (std::size_t i = 0; i < model.controls.size(); ++i) tolerance_[i] = tolerance(options, model.controls[i]);
+  }
 
   bool judge(const Sample& sample, EventList& events) noexcept {
     const double distance = distance_of(sample);
@@ -34,14 +40,20 @@ class Validity {
                            std::abs(s.flight.delta_isa_k - p.delta_isa_k) / options_.delta_isa_k});
     }
     for (std::size_t i = 0; i < model_.controls.size(); ++i)
-      if (const double trim = std::abs(model_.controls[i].trim); trim > 0.0)
-        distance = std::max(
-            distance, 100.0 * std::abs(s.actuator[i] - model_.controls[i].trim) / trim / options_.actuator_percent);
+      distance = std::max(distance, std::abs(s.actuator[i] - model_.controls[i].trim) / tolerance_[i]);
     return distance;
+  }
+
+  static double tolerance(const ValidityOptions& options, const estimation::Channel& actuator) {
+    if (actuator.unit == "deg") return options.vane_deg;
+    if (actuator.unit == "fraction") return options.bleed_fraction;
+    const double percent_of_trim = 0.01 * options.actuator_percent * std::abs(actuator.trim);
+    return percent_of_trim > 0.0 ? percent_of_trim : std::numeric_limits<double>::infinity();
   }
 
   ValidityOptions options_;
   const estimation::LinearModel& model_;
+  std::array<double, estimation::max_actuators> tolerance_{};
   Condition condition_;
 };
 

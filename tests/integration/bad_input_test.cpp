@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <limits>
@@ -20,7 +21,7 @@ class BadSamplesTest : public PairTest {
     ASSERT_TRUE(listener_.await([&] { return writer_.matched() == 2; }));
     const auto design = nlohmann::json::parse(std::ifstream(design_file()));
     for (const auto& channel : design["model"]["sensors"]) trim_.push_back(channel["trim"]);
-    actuator_trim_ = design["model"]["controls"][0]["trim"];
+    for (const auto& channel : design["model"]["controls"]) actuator_trim_.push_back(channel["trim"]);
   }
   EngineSensors good() {
     EngineSensors s;
@@ -31,8 +32,8 @@ class BadSamplesTest : public PairTest {
     s.source_time_ns(1'000'000'000'000 + static_cast<std::int64_t>(sequence_) * 15'000'000);
     s.altitude_m(10668.0);
     s.mach(0.8);
-    s.actuator_count(1);
-    s.actuator()[0] = actuator_trim_;
+    s.actuator_count(static_cast<std::uint32_t>(actuator_trim_.size()));
+    std::copy(actuator_trim_.begin(), actuator_trim_.end(), s.actuator().begin());
     s.sensor_count(static_cast<std::uint32_t>(trim_.size()));
     s.sensor_valid((1u << trim_.size()) - 1);
     // A trace of noise, since equal values would be stuck.
@@ -51,8 +52,7 @@ class BadSamplesTest : public PairTest {
   }
   std::unique_ptr<Process> monitor_;
   wire::Writer<EngineSensors> writer_{participant_};
-  std::vector<double> trim_;
-  double actuator_trim_ = 0.0;
+  std::vector<double> trim_, actuator_trim_;
   std::uint64_t sequence_ = 0, sent_ = 0;
 };
 

@@ -169,7 +169,7 @@ TEST(SimCommand, RefusesWhatIsOutOfRange) {
   };
   SimCommand c;
   c.schema(1);
-  EXPECT_EQ(error(c), "kind is 0, allowed is 1 to 6 (idl/wire_values.h)");
+  EXPECT_EQ(error(c), "kind is 0, allowed is 1 to 7 (idl/wire_values.h)");
   c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_demand));
   EXPECT_EQ(error(c), "value[0] (n1_rpm) is 0, allowed is 500 to 5000");
   c.value()[0] = std::nan("");
