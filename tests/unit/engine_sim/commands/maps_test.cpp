@@ -123,9 +123,12 @@ TEST_F(MapsTest, TheNumbersAreTheMaps) {
 TEST_F(MapsTest, TheOperatingLineIsTheEngines) {
   const auto lines = operating_lines(Turbofan(jt9d()));
   ASSERT_EQ(lines.size(), 2u);
-  // 7 % of the maximum, the definition
-  for (const OperatingLine& line : lines)
-    EXPECT_NEAR(line.points.back().gas.net_thrust_n / line.points.front().gas.net_thrust_n, 0.07, 1e-6) << line.label;
+  // from the rating's maximum to its idle: at sea level on the design point's day T40 limits, and the ground's idle holds
+  const Ratings& ratings = jt9d().ratings;
+  EXPECT_NEAR(lines[0].points.front().gas.s40.tt_k, ratings.t40_max_k, 1e-6);
+  const GasPath& idle = lines[0].points.back().gas;
+  EXPECT_NEAR(idle.speeds.n2_rpm / std::sqrt(idle.s2.tt_k / reference_temperature_k),
+              ratings.ground_idle_corrected_n2_rpm, 1e-3);
   for (const Figure& figure : jt9d_figures(std::nullopt)) {
     const auto curves = curves_of(figure.curves, "operating_line");
     ASSERT_EQ(curves.size(), 2u);
