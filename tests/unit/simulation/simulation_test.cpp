@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "engine_sim/dds/command_reader.h"
 #include "idl/wire_values.h"
@@ -155,6 +156,42 @@ TEST(SimCommand, ChangesDemandHealthAndSensors) {
   c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::clear_faults));
   apply(c, simulation);
   EXPECT_TRUE(simulation.next().readings[3].valid);
+}
+
+TEST(SimCommand, ThrustIsADemandToo) {
+  Simulation simulation(quiet());
+  const double thrust_n = 0.9 * simulation.next().auxiliary[2];
+  SimCommand c;
+  c.schema(1);
+  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_thrust));
+  c.value()[0] = thrust_n;
+  apply(c, simulation);
+  EXPECT_NEAR(fly(simulation, 1000).auxiliary[2], thrust_n, 1e-3 * thrust_n);  // a new engine gives what is asked
+}
+
+TEST(Simulation, MetalFollowsWithSecondsOfHeatSoak) {
+  const auto t48_after_a_step = [](bool heat_soak) {
+    Scenario s = quiet();
+    s.heat_soak = heat_soak;
+    Simulation simulation(s);
+    simulation.demand({DemandKind::n1_rpm, 0.95 * simulation.next().readings[0].value});
+    const double after_5_s = fly(simulation, 333).readings[6].value;
+    return std::pair(after_5_s, fly(simulation, 12000).readings[6].value);
+  };
+  const auto [dry, dry_at_last] = t48_after_a_step(false);
+  const auto [soaked, soaked_at_last] = t48_after_a_step(true);
+  EXPECT_NEAR(dry, dry_at_last, 1.0);             // spools settle in 5 s
+  EXPECT_GT(soaked, soaked_at_last + 2.0);        // the metal still heats the gas
+  EXPECT_NEAR(soaked_at_last, dry_at_last, 0.5);  // in the end it does not matter
+}
+
+TEST(Simulation, TheAircraftsOfftakeCostsFuel) {
+  Scenario taken = quiet();
+  taken.demand = {DemandKind::n1_rpm, 3400.0};
+  Simulation without(taken);
+  taken.offtake = {.customer_bleed_kg_s = 1.0, .power_w = 150e3};
+  Simulation with(taken);
+  EXPECT_GT(with.next().actuation.fuel_flow_kg_s, 1.01 * without.next().actuation.fuel_flow_kg_s);
 }
 
 TEST(SimCommand, RefusesWhatIsOutOfRange) {
