@@ -20,7 +20,7 @@ deploy/install-deps.sh
 sanitized() {
   local name=$1 sanitizers=$2
   shift 2
-  EHM_CMAKE_ARGS="-DEHM_SANITIZE=$sanitizers -DCMAKE_BUILD_TYPE=RelWithDebInfo" deploy/build.sh "$build-$name"
+  EHM_CMAKE_ARGS="-DEHM_SANITIZE=$sanitizers -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1" deploy/build.sh "$build-$name"
   ctest --test-dir "$build-$name" --output-on-failure -j2 "$@"
 }
 
