@@ -120,20 +120,6 @@ void continue_into_choke(CompressorTarget& t, double pressure_exponent) {
 
 }  // namespace
 
-MatrixXd read_rows(const nlohmann::json& rows) {
-  MatrixXd z(static_cast<Index>(rows.size()), static_cast<Index>(rows.at(0).size()));
-  for (Index i = 0; i < z.rows(); ++i) {
-    const std::vector<double> row = rows.at(static_cast<std::size_t>(i));
-    for (Index j = 0; j < z.cols(); ++j) z(i, j) = row.at(static_cast<std::size_t>(j));
-  }
-  return z;
-}
-
-CompressorTable read_compressor_table(const nlohmann::json& map) {
-  return {map.at("NcVec").at(0), map.at("RlineVec").at(0), read_rows(map.at("WcArray")), read_rows(map.at("PRArray")),
-          read_rows(map.at("EffArray"))};
-}
-
 CompressorTable move_corner(const CompressorTable& table, const Corner& corner) {
   constexpr double step = 0.0025;
   const auto found = std::find(table.speed.begin(), table.speed.end(), corner.at);

@@ -11,7 +11,6 @@
 // Units: Wc lbm/s at 518.67 R and 14.696 psia, otherwise ratios. Source: similarity laws; the margins are choices.
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace ehm::bench {
@@ -26,9 +25,6 @@ struct CompressorTarget {
   Eigen::MatrixXd phi, psi, efficiency;
   Eigen::MatrixXd flow_weight, pressure_weight, efficiency_weight;
 };
-
-/// @throws nlohmann::json::exception if the map lacks NcVec, RlineVec, WcArray, PRArray or EffArray
-CompressorTable read_compressor_table(const nlohmann::json& map);
 
 /// A speed line where the table bends, and the speed to which the bend is moved.
 struct Corner {
@@ -46,8 +42,5 @@ CompressorTable move_corner(const CompressorTable& table, const Corner& corner);
 double sample_weight(double r_line, double pressure_ratio, double efficiency);
 
 CompressorTarget fit_target(const CompressorTable& table, double flow_exponent, double pressure_exponent);
-
-/// Rows of a JSON array of arrays.
-Eigen::MatrixXd read_rows(const nlohmann::json& rows);
 
 }  // namespace ehm::bench

@@ -73,6 +73,7 @@ std::vector<double> solve(const Eigen::MatrixXd& samples, const Eigen::VectorXd&
     throw std::runtime_error("map fit: the least-squares system is rank deficient; use fewer break points");
   }
   const Eigen::VectorXd c = qr.solve(right);
+  if (!c.allFinite()) throw std::runtime_error("map fit: the coefficients are not finite; check the tables' scale");
   return {c.begin(), c.end()};
 }
 

@@ -23,8 +23,12 @@ struct StraightPath {
   double weight = 0.0;
 };
 
+/// Smoothing for surfaces of order one, as maps are fitted: it only decides where samples do not.
+inline constexpr double map_smoothing = 1e-6;
+
 /// @throws std::invalid_argument if the shapes of x, y, z and weight do not belong together
-/// @throws std::runtime_error if the stacked system is rank deficient (too many break points for the samples)
+/// @throws std::runtime_error if the stacked system is rank deficient (too many break points for the samples) or its
+///         solution is not finite
 std::vector<double> fit_surface(std::span<const double> x, std::span<const double> y, const Eigen::MatrixXd& z,
                                 const Eigen::MatrixXd& weight, std::span<const double> x_breaks,
                                 std::span<const double> y_breaks, double smoothing, const StraightPath& path = {});

@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "engine_sim/model/engines/jt9d.h"
 #include "engine_sim/model/spline.h"
 #include "tuner_design/map_fit/compressor_table.h"
 #include "tuner_design/map_fit/fit_surface.h"
+#include "tuner_design/map_fit/map_tables.h"
 
 namespace ehm::bench {
 namespace {
@@ -87,14 +87,13 @@ TEST(CompressorTable, ItsCornerMovesAlongTheSteepSide) {
 TEST(FittedMaps, AgreeWithTheTablesWhereEnginesOperate) {
   const std::string path = std::string(EHM_REFERENCE_DIR) + "/jt9d_maps.json";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "reference data is absent: set EHM_REFERENCE_DIR";
-  std::ifstream in(path);
-  const nlohmann::json maps = nlohmann::json::parse(in);
+  const nlohmann::json maps = design::parse_json_file(path);
   const std::pair<const char*, const CompressorMap*> fitted[] = {
       {"Fan", &jt9d().fan.map}, {"LPC", &jt9d().lpc.map}, {"HPC", &jt9d().hpc.map}};
   for (const auto& [name, map] : fitted) {
-    const CompressorTable table = read_compressor_table(maps.at(name));
+    const CompressorTable table = read_compressor_table(maps, path, name);
     for (std::size_t i = 0; i < table.speed.size(); ++i) {
-      // the HPC's line behind its corner is dropped (fit_maps.cpp); its price is stated here
+      // the HPC's line behind its corner is dropped (corner in jt9d_fit.json); its price is stated here
       const bool dropped = std::string(name) == "HPC" && table.speed[i] == 1.025;
       const double flow_limit = dropped ? 0.011 : 5e-3, pressure_limit = dropped ? 0.02 : 5e-3;
       for (std::size_t j = 0; j < table.r_line.size(); ++j) {
