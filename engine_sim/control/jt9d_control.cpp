@@ -5,15 +5,13 @@
 namespace ehm::engine {
 namespace {
 
-// Speeds and idle are the engine's ratings. T48 and Ps30 as fractions of the design point (sea level static, ISA + 15
-// K: 1186 K, 1.925 MPa); margins are assumptions: 4 % of T48 for a worn engine at rated fan speed, 15 % of pressure for
-// sea level on a cold day.
+// The engine's ratings; Ps30 is their P30 with the exit Mach number of the HPC (0.944 of it).
 EngineLimits limits(const Ratings& ratings) {
   return {.n1_rpm = ratings.n1_max_rpm,
           .n1_corrected_rpm = ratings.corrected_n1_max_rpm,
           .n2_rpm = ratings.n2_max_rpm,
           .n2_corrected_rpm = ratings.corrected_n2_max_rpm,
-          .t48_k = 1233.0,
+          .t48_k = ratings.t48_max_k,
           .ps_30_pa = 2.2e6,
           .ground_idle_n2_corrected_rpm = ratings.ground_idle_corrected_n2_rpm,
           .flight_idle_n2_corrected_rpm = ratings.flight_idle_corrected_n2_rpm};

@@ -3,7 +3,7 @@
 //   main: W_main = W (1 - sum of fractions) - W_customer, in the state of the HPC exit
 //   a port at work fraction w: h = h25 + w (h30 - h25); the HPC does w of its work on that air
 //   power = (h30 - h25) sum of W_i w_i,  w = 1 for what stays to the exit
-// Units: kg/s, J/kg, W. Errors: none; turbofan.cpp refuses a customer bleed that leaves no main stream.
+// Units: kg/s, J/kg, W. Errors: none; turbofan.cpp refuses a solution in which no air is left for the combustor.
 // Source: the bleed element of NPSS and T-MATS (fractions of flow and of work).
 
 #include "engine_sim/model/compressor.h"
@@ -14,7 +14,7 @@ namespace ehm::engine {
 
 template <class S>
 struct Bleeds {
-  Stream<S> main, to_hpt_inlet, to_hpt_exit, to_lpt_inlet, to_lpt_exit, customer;
+  Stream<S> main, to_hpt_inlet, to_hpt_exit, to_lpt_inlet, to_lpt_exit;
   S power_w;  ///< absorbed by the compressor for all of them together
 };
 
@@ -40,7 +40,6 @@ Bleeds<S> bleed_off(const Stream<S>& in, const Compression<S>& compressor, const
   out.to_hpt_exit = with_flow(exit, S(w * air.hpt_exit));
   out.to_lpt_inlet = at_port(in, compressor, exit, air.lpt_port_work, S(w * air.lpt_inlet));
   out.to_lpt_exit = at_port(in, compressor, exit, air.lpt_port_work, S(w * air.lpt_exit));
-  out.customer = at_port(in, compressor, exit, air.customer_port_work, S(customer_bleed_kg_s));
   const S full_work_kg_s =
       w * (1.0 - lpt * (1.0 - air.lpt_port_work)) - customer_bleed_kg_s * (1.0 - air.customer_port_work);
   out.power_w = full_work_kg_s * compressor.work_j_kg;

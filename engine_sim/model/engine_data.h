@@ -78,8 +78,8 @@ struct DuctLosses {
 
 /// What bounds the steady power of the engine (ratings.h).
 struct Ratings {
-  double t40_max_k, n1_max_rpm, n2_max_rpm;
-  double corrected_n1_max_rpm, corrected_n2_max_rpm;                  ///< N/sqrt(theta2): the ends of fan and HPC map
+  double t40_max_k, t48_max_k, p30_max_pa, n1_max_rpm, n2_max_rpm;
+  double corrected_n1_max_rpm, corrected_n2_max_rpm;                  ///< N/sqrt(theta2)
   double ground_idle_corrected_n2_rpm, flight_idle_corrected_n2_rpm;  ///< N2/sqrt(theta2)
 };
 

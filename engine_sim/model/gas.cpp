@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+#include <limits>
 
 namespace ehm::engine {
 namespace {
@@ -102,12 +101,6 @@ inline Evaluation evaluate_entropy(double t_k, double share) {
   return {mixed(phi, share), mixed(cp, share), slope, phi[1], cp[1]};
 }
 
-void require_finite(double target, const char* name) {
-  if (!std::isfinite(target)) {
-    throw std::domain_error(std::string("gas: cannot find a temperature for a non-finite ") + name);
-  }
-}
-
 /// Halley's step for a property of derivative `slope` and second derivative `curvature`; converges cubically.
 double halley_step(double missing, double slope, double curvature) {
   const double newton = missing / slope;
@@ -123,6 +116,7 @@ double step_factor(double x) {
 // A step of 1e-4 leaves an error of its cube, times 0.1 or less: 1e-13.
 constexpr double last_step = 1e-4;
 constexpr int most_steps = 30;
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -145,7 +139,7 @@ GasProperty entropy_property(double t_k, double f) {
 }
 
 GasTemperature temperature_from_enthalpy(double h_j_kg, double f, double guess_k) {
-  require_finite(h_j_kg, "enthalpy");
+  if (!std::isfinite(h_j_kg)) return {nowhere, nowhere, nowhere};
   const double share = fuel_share(f);
   double t = guess_k, step = 0.0;
   Evaluation h{};
@@ -164,7 +158,7 @@ IsentropicTemperature isentropic_change(double t_k, double f, double log_pressur
   const double share = fuel_share(f), r = gas_constant_j_kgk(f);
   const Evaluation from = evaluate_entropy(t_k, share);
   const double target = from.value + r * log_pressure_ratio;
-  require_finite(target, "entropy function");
+  if (!std::isfinite(target)) return {nowhere, nowhere, nowhere, nowhere};
   // Halley in ln T, in which phi is nearly straight: d(phi)/d(ln T) = cp
   Evaluation phi = from;
   double t = t_k, step = 0.0;

@@ -7,9 +7,9 @@
 // Polynomials valid for 200-2000 K and f = 0-0.05. Outside that range cp keeps the value of the edge, so h and phi
 // continue once differentiably and a solver that strays out of range finds its way back.
 // Units: K, J/kg, J/(kg K); f and pressure ratios are plain ratios.
-// Errors: none of the direct functions; inversions (relative error 1e-13) @throws std::domain_error when the target is
-// not finite.
-// Source: Walsh & Fletcher, Gas Turbine Performance, 2nd ed., formulae F3.23 (cp), F3.26 (h), F3.27 (phi), F3.22 (R).
+// Errors: none; a target that is not finite gives a temperature that is not (a number). Relative error of the
+// inversions 1e-13. Source: Walsh & Fletcher, Gas Turbine Performance, 2nd ed., formulae F3.23 (cp), F3.26 (h), F3.27
+// (phi), F3.22 (R).
 
 #include "engine_sim/model/dual.h"
 
@@ -33,7 +33,7 @@ struct GasTemperature {
   double by_target;
   double by_fuel_air_ratio;
 };
-/// T such that h(T, f) = target, from `guess_k`. @throws std::domain_error if the target is not finite
+/// T such that h(T, f) = target, from `guess_k`.
 GasTemperature temperature_from_enthalpy(double h_j_kg, double fuel_air_ratio, double guess_k);
 
 /// Temperature T2 after a change of pressure at constant entropy, with its partial derivatives.
@@ -43,7 +43,7 @@ struct IsentropicTemperature {
   double by_fuel_air_ratio;
   double by_log_pressure_ratio;
 };
-/// T2 such that phi(T2, f) = phi(T, f) + R ln(p2/p1). @throws std::domain_error if that is not finite
+/// T2 such that phi(T2, f) = phi(T, f) + R ln(p2/p1).
 IsentropicTemperature isentropic_change(double t_k, double fuel_air_ratio, double log_pressure_ratio);
 
 template <class S>

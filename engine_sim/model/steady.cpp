@@ -16,6 +16,7 @@ constexpr double start_of_design_n1 = 0.9;  ///< corrected: a calm part of every
 constexpr double first_n1_step = 0.01;      ///< relative
 constexpr double longest_step = 0.15;       ///< along the operating line, in units of `size`
 constexpr int most_steps = 500;
+constexpr int patience = 40;  ///< steps without coming nearer to the demand
 /// What counts as a step of one in each unknown.
 constexpr Unknowns size{5.0, 1.0, 1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 1.0};
 constexpr double lowest_of_design_n1 = 0.12, highest_of_design_n1 = 1.45;
@@ -106,19 +107,23 @@ class Approach {
     const double first = excess(at) < 0.0 ? first_n1_step : -first_n1_step;
     Solution before = at;
     at = solve(target_.operation, n1_demand(at.x[n1] * (1.0 + first)), at.x);
+    Solution nearest = at;
     double length = 2.0;  // of the last step
-    for (int step = 0; step < most_steps && on_the_map(at); ++step) {
+    for (int step = 0, vain = 0; step < most_steps && vain < patience && on_the_map(at); ++step) {
       if (excess(before) * excess(at) <= 0.0) return bisect(before, at);
       const auto next = step_beyond(before, at, length);
       if (next) {
         before = at;
         at = *next;
         length = distance(before, at) < longest_step ? 1.5 : 1.0;
+        const bool nearer = std::abs(excess(at)) < std::abs(excess(nearest));
+        if (nearer) nearest = at;
+        vain = nearer ? 0 : vain + 1;
       } else if ((length *= 0.4) < 1e-4) {
         break;
       }
     }
-    out_of_reach(at);
+    out_of_reach(nearest);
   }
 
   /// The next point at `length` times the distance of the last two, on the plane across their direction.
@@ -167,11 +172,12 @@ class Approach {
   static double distance(const Solution& a, const Solution& b) { return distance(a.x, b.x); }
   static bool on_the_map(const Solution& s) { return s.x[n1] > lowest_of_design_n1 && s.x[n1] < highest_of_design_n1; }
 
-  [[noreturn]] void out_of_reach(const Solution& last) const {
+  [[noreturn]] void out_of_reach(const Solution& nearest) const {
     throw SolveError("residual 'demand': " + std::string(demand_names[static_cast<std::size_t>(target_.demand.kind)]) +
-                     " = " + std::to_string(target_.demand.value) + " is out of reach; the engine runs to " +
-                     std::to_string(demanded_value(engine_, last.gas, target_.demand.kind)) + " at N1 " +
-                     std::to_string(last.gas.speeds.n1_rpm) + " rpm");
+                     " = " + std::to_string(target_.demand.value) +
+                     " is out of reach; the engine comes no nearer than " +
+                     std::to_string(demanded_value(engine_, nearest.gas, target_.demand.kind)) + " at N1 " +
+                     std::to_string(nearest.gas.speeds.n1_rpm) + " rpm");
   }
 
   const Turbofan& engine_;

@@ -12,7 +12,7 @@
 
 namespace ehm::engine {
 
-/// limit_ratio: the largest of T40, the speeds and the corrected fan speed over its limit (ratings.h); 1 is maximum
+/// limit_ratio: the largest of T40, T48, P30, speeds and corrected speeds over its limit (ratings.h); 1 is maximum
 /// power.
 enum class DemandKind { fuel_flow_kg_s, n1_rpm, net_thrust_n, t40_k, n2_rpm, limit_ratio };
 inline constexpr std::array<std::string_view, 6> demand_names{"fuel_flow_kg_s", "n1_rpm", "net_thrust_n",

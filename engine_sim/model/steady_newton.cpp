@@ -47,7 +47,9 @@ D demand_residual(const Ratings& ratings, double tt2_k, const Demand& demand, co
     case DemandKind::n2_rpm:
       return input.n2_rpm / demand.value - 1.0;
     case DemandKind::limit_ratio:
-      return limit_ratio(ratings, c.s40.tt_k, input.n1_rpm, input.n2_rpm, tt2_k) / demand.value - 1.0;
+      return limit_ratio(ratings, c.s40.tt_k, c.s48.tt_k, c.s30.pt_pa, input.n1_rpm, input.n2_rpm, tt2_k) /
+                 demand.value -
+             1.0;
   }
   throw std::invalid_argument("steady: unknown kind of demand");
 }
@@ -124,7 +126,7 @@ double demanded_value(const Turbofan& engine, const GasPath& gas, DemandKind kin
     case DemandKind::n2_rpm:
       return gas.speeds.n2_rpm;
     case DemandKind::limit_ratio:
-      return limit_ratio(engine.data().ratings, gas.s40.tt_k, gas.speeds.n1_rpm, gas.speeds.n2_rpm, gas.s2.tt_k);
+      return limit_ratio(engine.data().ratings, gas);
   }
   throw std::invalid_argument("steady: unknown kind of demand");
 }

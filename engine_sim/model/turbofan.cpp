@@ -57,6 +57,17 @@ Stream<S> soaked(const EngineData& data, Cycle<S>& c, Metal lump, const Stream<S
   return out.gas;
 }
 
+/// Beyond these no combustor burns and the gas data end (gas.h).
+template <class S>
+void require_combustion(double air_kg_s, const Stream<S>& s40) {
+  constexpr double richest = 0.05, hottest_k = 2000.0;
+  if (air_kg_s > 0.0 && value(s40.fuel_air_ratio) <= richest && value(s40.tt_k) <= hottest_k) return;
+  throw SolveError("residual 'combustor': " + std::to_string(air_kg_s) + " kg/s of air, fuel-air ratio " +
+                   std::to_string(value(s40.fuel_air_ratio)) + ", T40 " + std::to_string(value(s40.tt_k)) +
+                   " K; there must be air, and at most " + std::to_string(richest) + " and " +
+                   std::to_string(hottest_k) + " K");
+}
+
 template <class S>
 S closure(const S& flow, const S& capacity) {
   return 1.0 - capacity / flow;
@@ -150,6 +161,7 @@ template <class S>
 GasPath Turbofan::report(const CycleInput<S>& input, const Cycle<S>& c) const {
   require_open_nozzle("core", value(c.core_nozzle_pressure_ratio));
   require_open_nozzle("bypass", value(c.bypass_nozzle_pressure_ratio));
+  require_combustion(value(c.s40.w_kg_s) - value(input.fuel_flow_kg_s), c.s40);
   GasPath g;
   g.s2 = to_station(c.s2);
   g.s13 = to_station(c.s13);

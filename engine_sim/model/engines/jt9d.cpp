@@ -50,11 +50,14 @@ EngineData make_jt9d() {
   // follow the gas with 25, 15 and 30 s. An estimate of the size of such an engine, for studies of its effect.
   const std::array<HeatSoakData, metal_count> metal{{{12.0e3, 300e3}, {11.7e3, 175e3}, {11.7e3, 350e3}}};
 
-  // Not in the model. T40 some 3 % above the design point's 2730 R, room for a worn engine at its rating; speeds 3 to 5
-  // % above the highest of the NPSS cases (N1 3946 and 3944 corrected, N2 8051 rpm, 7958 corrected), where the maps
-  // end. Idle: in flight the core speed of NPSS's lowest power code, 20 (6534 to 6650 corrected); on the ground where
-  // the new engine gives 8 % of its design thrust.
+  // Not in the model. T40 some 3 % and T48 7 % above the design point's 1516.7 and 1187.5 K, room for a worn engine at
+  // its rating; P30 14 % above its 2.049 MPa for sea level on a cold day; speeds some 3 to 7 % above the highest of the
+  // NPSS cases (N1 3946 and 3944 corrected, N2 8051 rpm, 7958 corrected). Idle: in flight at the core speed of NPSS's
+  // lowest power code, 20, at low altitude (6534 to 6650 corrected; to 6930 at 35 000 ft); on the ground where the new
+  // engine gives 8 % of its design thrust.
   const Ratings ratings{.t40_max_k = 1570.0,
+                        .t48_max_k = 1270.0,
+                        .p30_max_pa = 2.33e6,
                         .n1_max_rpm = 4070.0,
                         .n2_max_rpm = 8400.0,
                         .corrected_n1_max_rpm = 4150.0,

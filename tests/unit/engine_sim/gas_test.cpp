@@ -78,8 +78,8 @@ TEST(Gas, IsentropicCompressionOfColdAirFollowsConstantGamma) {
 }
 
 TEST(Gas, RefusesATargetThatIsNotFinite) {
-  EXPECT_THROW(temperature_from_enthalpy(std::numeric_limits<double>::quiet_NaN(), 0.0, 300.0), std::domain_error);
-  EXPECT_THROW(isentropic_temperature(300.0, 0.0, std::numeric_limits<double>::infinity()), std::domain_error);
+  EXPECT_TRUE(std::isnan(temperature_from_enthalpy(std::numeric_limits<double>::quiet_NaN(), 0.0, 300.0).t_k));
+  EXPECT_TRUE(std::isnan(isentropic_temperature(300.0, 0.0, std::numeric_limits<double>::infinity())));
 }
 
 }  // namespace

@@ -63,6 +63,8 @@ EngineDesign high_bypass_design() {
           .hp_inertia_kg_m2 = 3.0,
           .metal = {{{4.0e3, 80e3}, {4.0e3, 50e3}, {4.0e3, 100e3}}},
           .ratings = {.t40_max_k = 1650.0,
+                      .t48_max_k = 1300.0,
+                      .p30_max_pa = 3.3e6,
                       .n1_max_rpm = 4900.0,
                       .n2_max_rpm = 15400.0,
                       .corrected_n1_max_rpm = 5250.0,
