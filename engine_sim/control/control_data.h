@@ -49,7 +49,7 @@ struct VaneControlData {
 
 /// Bleed valves: fraction of the LPC's exit flow.
 struct BleedValveControlData {
-  Schedule<2> low_speed;     ///< over N1 corrected
+  Schedule<2> low_speed;     ///< over N2 corrected
   Schedule<2> deceleration;  ///< over ratio units as a multiple of the deceleration schedule
   ActuatorData actuator;
 };

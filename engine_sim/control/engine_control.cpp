@@ -21,7 +21,7 @@ Actuation EngineControl::update(const Measurements& m, double n1_demand_rpm, dou
 double bleed_valve_command(const ControlData& data, const Measurements& m, double fuel_flow_kg_s) {
   const double ratio_units = fuel_flow_kg_s / fuel_per_ratio_unit(m, data.fuel.theta_exponent);
   const double of_deceleration = ratio_units / scheduled(data.fuel.deceleration, m.n2_corrected_rpm());
-  return std::max(scheduled(data.bleed_valves.low_speed, m.n1_corrected_rpm()),
+  return std::max(scheduled(data.bleed_valves.low_speed, m.n2_corrected_rpm()),
                   scheduled(data.bleed_valves.deceleration, of_deceleration));
 }
 

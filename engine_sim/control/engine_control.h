@@ -2,7 +2,7 @@
 // The control of one engine, once a sample: measurements and a fan speed demand to fuel flow, stator vanes and bleed
 // valves. The actuators are part of it; what it returns are their positions.
 //   vanes:   schedule of N2 corrected, lag and rate of the actuator
-//   valves:  the larger of a schedule of N1 corrected (low power) and one of the ratio units as a multiple of the
+//   valves:  the larger of a schedule of N2 corrected (low power) and one of the ratio units as a multiple of the
 //            deceleration schedule: where the fuel is cut, the core slows before the fan and swallows less than the LPC
 //            delivers; limited in rate
 //   fuel:    fuel_control.h

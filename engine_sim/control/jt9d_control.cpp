@@ -50,13 +50,15 @@ constexpr FuelControlData fuel{
 // by 40 degrees at idle, open at take-off; a stroke takes 1.6 s.
 constexpr VaneControlData vanes{.schedule_deg = {{{5800, 40.0}, {7900, 0.0}}}, .actuator = {0.1, 25.0, 25.0}};
 
-// Open below the fan speeds of power code 40 (N1 2560 rpm corrected at sea level, 3000 at altitude). Steady LPC stall
-// margin at 2000 rpm, valves closed: new engine 12.9 % at sea level static, 7.5 % at cruise; worst of 150 worn ones
-// 9.5 and 4.7 %; 10 % bleed gives back 4 to 6 points. In a deceleration: steady running is at 1.4 times the
-// deceleration schedule and more, so the valves stay out of it. Fraction, speeds of the servo: assumptions.
-constexpr BleedValveControlData bleed_valves{.low_speed = {{{2050, 0.10}, {2550, 0.0}}},
+// Shut at and above the core speeds of power code 40 (6952 rpm corrected and more), open at idle: after a cut of fuel
+// the core is slow and the fan still fast, which is when the LPC needs it. Steady LPC stall margin at a fan speed of
+// 2000 rpm corrected, valves shut: new engine 12.9 % at sea level static, 7.5 % at cruise; worst of 150 worn ones 9.5
+// and 4.7 %; 10 % bleed gives back 4 to 6 points. In a deceleration: steady running is at 1.4 times the deceleration
+// schedule and more, so the valves stay out of it; they shut slowly, so that a reversal finds them open. Fraction and
+// speeds of the servo: assumptions.
+constexpr BleedValveControlData bleed_valves{.low_speed = {{{6700, 0.12}, {6940, 0.0}}},
                                              .deceleration = {{{1.1, 0.10}, {1.4, 0.0}}},
-                                             .actuator = {0.0, 0.3, 0.05}};
+                                             .actuator = {0.0, 0.3, 0.03}};
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine_sim/deck/deck_columns.h"
+#include "engine_sim/model/ratings.h"
 
 namespace ehm::engine {
 namespace {
@@ -18,6 +19,7 @@ struct DeckRow {
   std::string text;
   std::string reason;  ///< empty if it converged
   int iterations = 0;
+  bool beyond_surge = false, beyond_ratings = false;
 };
 
 std::vector<const DeckOutput*> columns_of(const DeckCases& cases) {
@@ -33,9 +35,13 @@ DeckRow solve_row(const Turbofan& engine, const DeckCase& one, const std::vector
   DeckRow row{one.inputs, {}};
   try {
     const SteadyPoint point = solve_steady(engine, one.operation, one.demand);
+    const GasPath& g = point.gas;
     row.iterations = point.iterations;
+    row.beyond_surge =
+        std::min({g.stall_margin_fan_percent, g.stall_margin_lpc_percent, g.stall_margin_hpc_percent}) < 0.0;
+    row.beyond_ratings = limit_ratio(engine.data().ratings, g) > 1.0 + 1e-9;
     row.text += ",1";
-    for (const DeckOutput* column : columns) row.text += ',' + files::shortest(column->get(point.gas));
+    for (const DeckOutput* column : columns) row.text += ',' + files::shortest(column->get(g));
   } catch (const std::exception& error) {  // whatever ends the solution, this row has none and the others go on
     row.text = one.inputs + ",0" + std::string(columns.size(), ',');
     row.reason = error.what();
@@ -88,6 +94,8 @@ DeckSummary write_deck(const Turbofan& engine, const DeckCases& cases, unsigned 
     for (std::size_t i = 0; i < size; ++i) {
       text += rows[i].text;
       summary.newton_iterations += rows[i].iterations;
+      summary.beyond_surge += rows[i].beyond_surge ? 1 : 0;
+      summary.beyond_ratings += rows[i].beyond_ratings ? 1 : 0;
       if (rows[i].reason.empty()) continue;
       ++summary.not_converged;
       sink.failed(block[i], rows[i].reason);

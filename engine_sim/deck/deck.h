@@ -23,7 +23,9 @@ struct DeckSink {
 struct DeckSummary {
   std::size_t cases = 0;
   std::size_t not_converged = 0;
-  long newton_iterations = 0;  ///< of the converged cases
+  std::size_t beyond_surge = 0;    ///< converged, with a negative stall margin
+  std::size_t beyond_ratings = 0;  ///< converged, above maximum power (ratings.h)
+  long newton_iterations = 0;      ///< of the converged cases
 };
 
 /// The column names, with what is an input not repeated among the outputs.

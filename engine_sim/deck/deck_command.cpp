@@ -86,6 +86,8 @@ void make_deck(const Arguments& arguments, std::ostream& out, std::ostream& err)
   bar.clear();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (summary.not_converged > 0) err << summary.not_converged << " of " << summary.cases << " cases did not converge\n";
+  if (summary.beyond_surge > 0) err << summary.beyond_surge << " rows lie beyond a surge line (a stall margin < 0)\n";
+  if (summary.beyond_ratings > 0) err << summary.beyond_ratings << " rows lie above maximum power\n";
   if (arguments.verbose) print_speed(summary, arguments.threads, elapsed.count(), err);
 }
 

@@ -45,7 +45,7 @@ void keep(StudyResult& all, const StudyResult& one) {
   all.failures.insert(all.failures.end(), one.failures.begin(), one.failures.end());
 }
 
-StudyResult fly(const Turbofan& engine, std::uint64_t seed, double duration_s) {
+StudyResult fly(const Turbofan& engine, std::uint64_t seed, double duration_s, HeatSoak heat_soak) {
   static const ControlData data = jt9d_control();
   const DemandSequence s = random_sequence(seed, duration_s);
   const bool from_ground = on_ground(s.flight);  // after lift-off the core rises to the idle of flight
@@ -56,7 +56,7 @@ StudyResult fly(const Turbofan& engine, std::uint64_t seed, double duration_s) {
     return s.n1_corrected_rpm(time_s) * std::sqrt(tt2_k / reference_temperature_k);
   };
   try {
-    ControlledEngine run(engine, data, settled(engine, data, {s.flight, s.health, {}}, demand_rpm()));
+    ControlledEngine run(engine, data, settled(engine, data, {s.flight, s.health, {}}, demand_rpm()), heat_soak);
     for (int k = 0; time_s < duration_s; time_s = ++k * dt_s) {
       const Surroundings now{s.flight_at(time_s), s.health, {}};
       const auto [actuation, geometry, gas] = run.step(now, demand_rpm(), dt_s);
@@ -80,14 +80,15 @@ bool Worst::worse_than(const Worst& other, Figure figure) const {
   return smallest_counts(figure) ? value < other.value : value > other.value;
 }
 
-StudyResult fly_sequences(std::uint64_t first, std::uint64_t count, double duration_s) {
+StudyResult fly_sequences(std::uint64_t first, std::uint64_t count, double duration_s, HeatSoak heat_soak) {
   const Turbofan engine(jt9d());
   constexpr std::uint64_t threads = 2;
   std::array<std::future<std::vector<StudyResult>>, threads> parts;
   for (std::uint64_t t = 0; t < threads; ++t) {
-    parts[t] = std::async(std::launch::async, [&engine, first, count, duration_s, t] {
+    parts[t] = std::async(std::launch::async, [&engine, first, count, duration_s, heat_soak, t] {
       std::vector<StudyResult> results;
-      for (std::uint64_t i = t; i < count; i += threads) results.push_back(fly(engine, first + i, duration_s));
+      for (std::uint64_t i = t; i < count; i += threads)
+        results.push_back(fly(engine, first + i, duration_s, heat_soak));
       return results;
     });
   }

@@ -34,7 +34,8 @@ struct StudyResult {
 };
 
 /// Sequences of `duration_s` with seeds first to first + count - 1, on two threads; the result does not depend on them.
-StudyResult fly_sequences(std::uint64_t first, std::uint64_t count, double duration_s);
+StudyResult fly_sequences(std::uint64_t first, std::uint64_t count, double duration_s,
+                          engine::HeatSoak heat_soak = engine::HeatSoak::without);
 
 /// The worst cases as a table.
 std::string table(const StudyResult& result);

@@ -51,7 +51,8 @@ flight_idle_n2_corrected_rpm = 6500
 [[profile]]
 time_s = 0
 net_thrust_n = 40000
-)").scenario;
+)")
+                     .scenario;
   EXPECT_FALSE(s.control.hold_limits);
   EXPECT_DOUBLE_EQ(s.control.limits.t48_k, 1100.0);
   EXPECT_DOUBLE_EQ(s.control.limits.flight_idle_n2_corrected_rpm, 6500.0);

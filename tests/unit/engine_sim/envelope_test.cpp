@@ -7,8 +7,10 @@
 
 #include "engine_sim/model/engines/jt9d.h"
 #include "engine_sim/model/ratings.h"
+#include "engine_sim/model/sizing.h"
 #include "engine_sim/model/steady.h"
 #include "envelope.h"
+#include "high_bypass_engine.h"
 
 namespace ehm::engine {
 namespace {
@@ -28,12 +30,20 @@ struct Balances {
   }
 };
 
-/// For an engine whose cooling air and customer bleed leave at the HPC exit.
 Balances balances(const EngineData& data, const SteadyPoint& point) {
   const GasPath& g = point.gas;
+  const SecondaryAir& air = data.air;
   const auto& [bleed_kg_s, offtake_w] = point.operation.offtake;
   const double vbv_kg_s = point.operation.geometry.vbv_fraction * g.s24.w_kg_s;
-  const double cooling_kg_s = (data.air.hpt_inlet + data.air.hpt_exit) * g.s30.w_kg_s;
+  const double hpt_cooling_kg_s = (air.hpt_inlet + air.hpt_exit) * g.s30.w_kg_s;
+  const double lpt_cooling_kg_s = (air.lpt_inlet + air.lpt_exit) * g.s30.w_kg_s;
+  // a port passes air at the share of the HPC's work that has been done there
+  const auto port_w = [&](double work, double w_kg_s) {
+    return std::lerp(enthalpy_flow_w(g.s24, w_kg_s), enthalpy_flow_w(g.s30, w_kg_s), work);
+  };
+  const double lpt_port_w = port_w(air.lpt_port_work, lpt_cooling_kg_s);
+  const double customer_w = port_w(air.customer_port_work, bleed_kg_s);
+  const double to_the_exit_kg_s = g.s30.w_kg_s - lpt_cooling_kg_s - bleed_kg_s;
   const double fuel_w = g.fuel_flow_kg_s * (data.combustor.efficiency * data.combustor.lower_heating_value_j_kg +
                                             data.combustor.fuel_enthalpy_j_kg);
 
@@ -41,12 +51,13 @@ Balances balances(const EngineData& data, const SteadyPoint& point) {
   const double mass_out = g.s13.w_kg_s + vbv_kg_s + bleed_kg_s + g.s50.w_kg_s;
   const double fuel_out = g.s50.w_kg_s * g.s50.fuel_air_ratio / (1.0 + g.s50.fuel_air_ratio);
   const double energy_in = enthalpy_flow_w(g.s2) + fuel_w;
-  const double energy_out = enthalpy_flow_w(g.s13) + enthalpy_flow_w(g.s24, vbv_kg_s) +
-                            enthalpy_flow_w(g.s30, bleed_kg_s) + enthalpy_flow_w(g.s50) + offtake_w;
-  const double lpt_w = enthalpy_flow_w(g.s48) - enthalpy_flow_w(g.s50);
+  const double energy_out =
+      enthalpy_flow_w(g.s13) + enthalpy_flow_w(g.s24, vbv_kg_s) + customer_w + enthalpy_flow_w(g.s50) + offtake_w;
+  const double lpt_w = enthalpy_flow_w(g.s48) + lpt_port_w - enthalpy_flow_w(g.s50);
   const double lp_absorbed_w = enthalpy_flow_w(g.s13) + enthalpy_flow_w(g.s24) - enthalpy_flow_w(g.s2);
-  const double hpt_w = enthalpy_flow_w(g.s40) + enthalpy_flow_w(g.s30, cooling_kg_s) - enthalpy_flow_w(g.s48);
-  const double hp_absorbed_w = enthalpy_flow_w(g.s30) - enthalpy_flow_w(g.s24, g.s30.w_kg_s) + offtake_w;
+  const double hpt_w = enthalpy_flow_w(g.s40) + enthalpy_flow_w(g.s30, hpt_cooling_kg_s) - enthalpy_flow_w(g.s48);
+  const double hp_absorbed_w = enthalpy_flow_w(g.s30, to_the_exit_kg_s) + lpt_port_w + customer_w -
+                               enthalpy_flow_w(g.s24, g.s30.w_kg_s) + offtake_w;
   return {mass_out / mass_in - 1.0, fuel_out / g.fuel_flow_kg_s - 1.0, energy_out / energy_in - 1.0,
           lp_absorbed_w / lpt_w - 1.0, hp_absorbed_w / hpt_w - 1.0};
 }
@@ -105,6 +116,26 @@ TEST(Envelope, VariableGeometryAndOfftakeConserve) {
   }
   std::printf("geometry and off-take: worst balance %.1e\n", worst_balance);
   EXPECT_LT(worst_balance, 1e-9);
+}
+
+TEST(Envelope, TheSecondEnginesPortsAndLeaksConserve) {
+  const SizedEngine sized = size_engine(high_bypass_design());
+  const Turbofan engine(sized.data);
+  double worst_balance = 0.0;
+  for (const double t40_k : {1300.0, 1450.0, 1587.2}) {
+    const SteadyPoint p = solve_steady(engine, sized.design, {DemandKind::t40_k, t40_k});
+    worst_balance = std::max(worst_balance, balances(sized.data, p).worst());
+  }
+  std::printf("interstage ports, bypass leak: worst balance %.1e\n", worst_balance);
+  EXPECT_LT(worst_balance, 1e-9);
+}
+
+// A search that has left the gas data would otherwise end on a flame of 15 000 K with no air.
+TEST(Envelope, NoPointWithoutAirOrBeyondTheGasData) {
+  const Turbofan engine(jt9d());
+  const Operation starved{.flight = {12577.0, 0.31, 31.0}, .offtake = {4.2, 266e3}};
+  EXPECT_THROW(solve_steady(engine, starved, {DemandKind::n1_rpm, 1200.0}), SolveError);
+  EXPECT_THROW(solve_steady(engine, {0.0, 0.0, 0.0}, {}, {DemandKind::t40_k, 2500.0}), SolveError);
 }
 
 TEST(Envelope, RatingsMeetTheirDefinitions) {

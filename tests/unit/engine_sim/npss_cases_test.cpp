@@ -44,10 +44,12 @@ std::map<std::string, double> compare(const GasPath& g, const reference::Case& c
                                                              {&g.s48, "48"}, {&g.s50, "5"}};
   for (const auto& [station, name] : stations) {
     d[std::string("T ") + name] = percent(station->tt_k * rankine_per_kelvin, c.at(std::string("Tt_") + name));
+    // NPSS counts the whole fan's flow at 21
+    if (std::string(name) != "21")
+      d[std::string("W ") + name] = percent(station->w_kg_s / kg_per_lbm, c.at(std::string("W_") + name));
     d[std::string("P ") + name] = percent(station->pt_pa / pa_per_psi, c.at(std::string("Pt_") + name));
   }
   d["Ps 3"] = percent(g.ps_30_pa / pa_per_psi, c.at("Ps_3"));
-  d["W 2"] = percent(g.s2.w_kg_s / kg_per_lbm, c.at("W_2"));
   d["N1"] = percent(g.speeds.n1_rpm, c.at("LP_N"));
   d["N2"] = percent(g.speeds.n2_rpm, c.at("HP_N"));
   d["thrust"] = percent(g.net_thrust_n / n_per_lbf, c.at("Fn"));
@@ -55,25 +57,6 @@ std::map<std::string, double> compare(const GasPath& g, const reference::Case& c
   d["margin LPC"] = g.stall_margin_lpc_percent - c.at("LPC_SMW");
   d["margin HPC"] = g.stall_margin_hpc_percent - c.at("HPC_SMW");
   return d;
-}
-
-TEST(NpssCases, SeaLevelStaticAndCruiseFromPowerCode60) {
-  if (!reference::available()) GTEST_SKIP() << reference::absent;
-  const Turbofan engine(jt9d());
-  int compared = 0;
-  for (const reference::Case& c : reference::npss_cases(60.0)) {
-    const bool sea_level_static = c.at("alt") == 0.0 && c.at("MN") == 0.0;
-    const bool at_cruise = c.at("alt") == 35000.0 && c.at("MN") == 0.8;
-    if (!sea_level_static && !at_cruise) continue;
-    ++compared;
-    for (const auto& [name, d] : compare(at_fuel_flow(engine, c), c)) {
-      const double limit = name == "thrust" ? 4.0 : 3.0;
-      if (!name.starts_with("margin")) {
-        EXPECT_LT(std::abs(d), limit) << name << " power code " << c.at("PC");
-      }
-    }
-  }
-  EXPECT_EQ(compared, 8);
 }
 
 // Limits: temperatures and pressures 0.6 % rms per station, speeds 0.6 %, thrust 1.5 %, stall margins 1 point. T-MATS'
@@ -100,7 +83,7 @@ TEST(NpssCases, GivenFanSpeedTheFuelFlowFollows) {
   const Turbofan engine(jt9d());
   for (const reference::Case& c : reference::npss_cases(60.0)) {
     const GasPath g = solve_steady(engine, flight_of(c), {}, {DemandKind::n1_rpm, c.at("LP_N")}).gas;
-    EXPECT_LT(std::abs(percent(g.fuel_flow_kg_s / kg_per_lbm * 3600.0, c.at("Wfuel"))), 3.0) << c.at("alt");
+    EXPECT_LT(std::abs(percent(g.fuel_flow_kg_s / kg_per_lbm * 3600.0, c.at("Wfuel"))), 1.5) << c.at("alt");
   }
 }
 
