@@ -5,7 +5,7 @@
 namespace ehm::engine {
 namespace {
 
-// The engine's ratings; Ps30 is their P30 with the exit Mach number of the HPC (0.944 of it).
+// The engine's ratings; Ps30 goes with their P30 (0.9417 of it at maximum), rounded up.
 EngineLimits limits(const Ratings& ratings) {
   return {.n1_rpm = ratings.n1_max_rpm,
           .n1_corrected_rpm = ratings.corrected_n1_max_rpm,
@@ -22,8 +22,8 @@ EngineLimits limits(const Ratings& ratings) {
 // crosses the schedules in 0.5 s, the valve's range.
 // Ratio units go with theta2^0.68 and not its root, because real gas takes more fuel for the same ratio of
 // temperatures: steady points of the model at ISA - 20 to + 35 K. Acceleration: above what any engine with -4 to +1 %
-// of each health parameter needs in steady state (largest of 150: 0.74 at 6300, 0.94 at 6800, 1.07 at 7200, 1.24 at
-// 7600, 1.33 at 7900 rpm), low enough to leave the HPC its margin. Deceleration: 0.57 to 0.68 of the least steady line.
+// of each health parameter needs in steady state (largest of 150: 0.73 at 6300, 0.92 at 6800, 1.07 at 7200, 1.22 at
+// 7600, 1.33 at 7900 rpm), low enough to leave the HPC its margin. Deceleration: 0.58 to 0.64 of the least steady line.
 // The margins that both leave: control_study_test.
 constexpr FuelControlData fuel{
     .n1_gain = {{{1600, 0.48}, {2200, 0.40}, {2800, 0.35}, {3200, 0.32}, {3600, 0.27}, {3900, 0.52}}},
@@ -50,10 +50,10 @@ constexpr FuelControlData fuel{
 // by 40 degrees at idle, open at take-off; a stroke takes 1.6 s.
 constexpr VaneControlData vanes{.schedule_deg = {{{5800, 40.0}, {7900, 0.0}}}, .actuator = {0.1, 25.0, 25.0}};
 
-// Shut at and above the core speeds of power code 40 (6952 rpm corrected and more), open at idle: after a cut of fuel
+// Shut at and above the core speeds of power code 40 (6974 rpm corrected and more), open at idle: after a cut of fuel
 // the core is slow and the fan still fast, which is when the LPC needs it. Steady LPC stall margin at a fan speed of
-// 2000 rpm corrected, valves shut: new engine 12.9 % at sea level static, 7.5 % at cruise; worst of 150 worn ones 9.5
-// and 4.7 %; 10 % bleed gives back 4 to 6 points. In a deceleration: steady running is at 1.4 times the deceleration
+// 2000 rpm corrected, valves shut: new engine 12.9 % at sea level static, 7.5 % at cruise; worst of 150 worn ones 9.3
+// and 4.5 %; 10 % bleed gives back 4 to 6 points. In a deceleration: steady running is at 1.4 times the deceleration
 // schedule and more, so the valves stay out of it; they shut slowly, so that a reversal finds them open. Fraction and
 // speeds of the servo: assumptions.
 constexpr BleedValveControlData bleed_valves{.low_speed = {{{6700, 0.12}, {6940, 0.0}}},

@@ -7,16 +7,36 @@ namespace ehm::engine {
 namespace {
 
 // Source of every number, unless it says otherwise: the public JT9D model of nasa/T-MATS (JT9D.mdl, Apache-2.0).
-EngineData make_jt9d() {
-  // Recovery at the fan face: (0.992/0.995) times the table of the model.
-  constexpr double recovery = 0.992 / 0.995;
-  const InletData inlet{{{0.0, recovery * 0.995},
-                         {0.1, recovery * 0.996},
-                         {0.2, recovery * 0.997},
-                         {0.3, recovery * 0.997},
-                         {0.4, recovery * 0.998},
-                         {0.9, recovery * 0.998}}};
 
+// Recovery at the fan face: (0.992/0.995) times the table of the model.
+InletData inlet() {
+  constexpr double recovery = 0.992 / 0.995;
+  return {{{0.0, recovery * 0.995},
+           {0.1, recovery * 0.996},
+           {0.2, recovery * 0.997},
+           {0.3, recovery * 0.997},
+           {0.4, recovery * 0.998},
+           {0.9, recovery * 0.998}}};
+}
+
+// Not in the model. T40 some 3 % and T48 7 % above the design point's 1516.7 and 1187.5 K, room for a worn engine at
+// its rating; P30 14 % above its 2.049 MPa for sea level on a cold day; speeds some 3 to 7 % above the highest of the
+// NPSS cases (N1 3946 and 3944 corrected, N2 8051 rpm, 7958 corrected). Idle: in flight at the core speed of NPSS's
+// lowest power code, 20, at low altitude (6534 to 6650 corrected; to 6930 at 35 000 ft); on the ground where the new
+// engine gives 8 % of its design thrust.
+Ratings ratings() {
+  return {.t40_max_k = 1570.0,
+          .t48_max_k = 1270.0,
+          .p30_max_pa = 2.33e6,
+          .n1_max_rpm = 4070.0,
+          .n2_max_rpm = 8400.0,
+          .corrected_n1_max_rpm = 4150.0,
+          .corrected_n2_max_rpm = 8500.0,
+          .ground_idle_corrected_n2_rpm = 6090.0,
+          .flight_idle_corrected_n2_rpm = 6630.0};
+}
+
+EngineData make_jt9d() {
   // Map scale factors: speed rpm (compressors) or rpm/sqrt(R) per percent (turbines), flow, PR - 1, efficiency.
   const MapScale fan_scale{3943.959, 0.521629, 1.4369, 0.967977};
   const MapScale lpc_scale{3663.0036630036625, 0.932311, 3.2631, 0.96};
@@ -50,27 +70,12 @@ EngineData make_jt9d() {
   // follow the gas with 25, 15 and 30 s. An estimate of the size of such an engine, for studies of its effect.
   const std::array<HeatSoakData, metal_count> metal{{{12.0e3, 300e3}, {11.7e3, 175e3}, {11.7e3, 350e3}}};
 
-  // Not in the model. T40 some 3 % and T48 7 % above the design point's 1516.7 and 1187.5 K, room for a worn engine at
-  // its rating; P30 14 % above its 2.049 MPa for sea level on a cold day; speeds some 3 to 7 % above the highest of the
-  // NPSS cases (N1 3946 and 3944 corrected, N2 8051 rpm, 7958 corrected). Idle: in flight at the core speed of NPSS's
-  // lowest power code, 20, at low altitude (6534 to 6650 corrected; to 6930 at 35 000 ft); on the ground where the new
-  // engine gives 8 % of its design thrust.
-  const Ratings ratings{.t40_max_k = 1570.0,
-                        .t48_max_k = 1270.0,
-                        .p30_max_pa = 2.33e6,
-                        .n1_max_rpm = 4070.0,
-                        .n2_max_rpm = 8400.0,
-                        .corrected_n1_max_rpm = 4150.0,
-                        .corrected_n2_max_rpm = 8500.0,
-                        .ground_idle_corrected_n2_rpm = 6090.0,
-                        .flight_idle_corrected_n2_rpm = 6630.0};
-
   // Sea level static, ISA + 27 R, T4 2730 R.
   DesignPoint design{{0.0, 0.0, 15.0}, {3750.0, 8000.0}, 17873.61 / 3600.0 * kg_per_lbm, {}};
   design.unknowns = {{5.2751, 2.0, 1.769, 2.08, 2.700, 4.584}};
 
   return {.name = "JT9D",
-          .inlet = inlet,
+          .inlet = inlet(),
           .fan = {CompressorMap(jt9d_maps::fan()), fan_scale, {}},
           .lpc = {CompressorMap(jt9d_maps::lpc()), lpc_scale, {}},
           .hpc = {CompressorMap(jt9d_maps::hpc()), hpc_scale, hpc_vanes},
@@ -85,7 +90,7 @@ EngineData make_jt9d() {
           .lp_inertia_kg_m2 = 100.0 * kg_m2_per_slug_ft2,  // example values of the model
           .hp_inertia_kg_m2 = 20.0 * kg_m2_per_slug_ft2,
           .metal = metal,
-          .ratings = ratings,
+          .ratings = ratings(),
           .design = design};
 }
 
