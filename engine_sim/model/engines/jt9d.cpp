@@ -41,8 +41,9 @@ EngineData make_jt9d() {
   const MapScale fan_scale{3943.959, 0.521629, 1.4369, 0.967977};
   const MapScale lpc_scale{3663.0036630036625, 0.932311, 3.2631, 0.96};
   const MapScale hpc_scale{6357.157841872056, 0.4206, 0.2163, 1.0137};
-  // Not in the model, whose map holds on the vane schedule: 1 % of flow and of pressure rise per degree, and 1 % of
-  // efficiency at 10 degrees, the usual first estimate for a multi-stage compressor (Kurzke's correction in GasTurb).
+  // Not in the model, whose map holds on the vane schedule. Form as in GasTurb's correction for variable compressor
+  // geometry (Kurzke: flow and pressure rise linear, efficiency quadratic in the angle); the numbers are assumptions:
+  // 1 % of flow and of pressure rise per degree, 1 % of efficiency at 10 degrees.
   const VaneData hpc_vanes{.flow_per_deg = 0.01, .pressure_rise_per_deg = 0.01, .efficiency_per_deg2 = 1e-4};
   // HPT efficiency: 0.9803 of the model, times 0.9979 calibrated: ratio of the work in the 165 NPSS cases with power
   // code 40 and more to the work of this expansion with their PR and efficiency (0.9973 to 0.9988).
