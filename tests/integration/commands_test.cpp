@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tests/integration/process.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -20,22 +21,10 @@ constexpr const char* header = "altitude_m,mach,delta_isa_k,t40_k\n";
 
 class CommandsTest : public testing::Test {
  protected:
-  CommandsTest() {
-    std::string name = testing::TempDir() + "ehm-commands-XXXXXX";
-    folder_ = mkdtemp(name.data());
-  }
-  ~CommandsTest() override { std::filesystem::remove_all(folder_); }
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-  std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name)) << text;
-    return path(name);
-  }
-  std::string content(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path(name)).rdbuf();
-    return text.str();
-  }
-  std::string folder_;
+  std::string path(const std::string& name) const { return folder_.path(name); }
+  std::string file(const std::string& name, const std::string& text) const { return folder_.file(name, text); }
+  std::string content(const std::string& name) const { return folder_.content(name); }
+  TemporaryFolder folder_;
 };
 
 TEST_F(CommandsTest, DeckFromFileToFileAndThroughPipes) {
@@ -68,7 +57,7 @@ TEST_F(CommandsTest, AStoppedDeckLeavesTheOldFileAndNothingElse) {
   Process deck({EHM_ENGINE_SIM, "deck", "--cases", cases, "--out", old, "--threads", "1"});
   // its temporary file shows that it is at work
   const auto files = [&] {
-    const std::filesystem::directory_iterator folder(folder_);
+    const std::filesystem::directory_iterator folder(folder_.path());
     return std::distance(begin(folder), end(folder));
   };
   while (files() < 3 && deck.running()) {

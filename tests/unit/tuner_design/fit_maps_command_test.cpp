@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "tests/temporary_folder.h"
 
 namespace ehm::bench {
 namespace {
@@ -80,13 +81,6 @@ Json settings() {
 
 class FitMaps : public ::testing::Test {
  protected:
-  FitMaps() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "ehm_fit_maps_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = pattern;
-  }
-  ~FitMaps() override { std::filesystem::remove_all(folder_); }
-
   int run(const std::string& settings_file, const std::string& maps_file) {
     const char* arguments[] = {"fit_maps", settings_file.c_str(), maps_file.c_str(), folder_.c_str()};
     out_.str("");
@@ -109,7 +103,8 @@ class FitMaps : public ::testing::Test {
     EXPECT_FALSE(std::filesystem::exists(folder_ + "/demo_maps.cpp")) << key;
   }
 
-  std::string folder_;
+  test::TemporaryFolder temporary_;
+  const std::string& folder_ = temporary_.path();
   std::ostringstream out_, err_;
 };
 

@@ -13,7 +13,7 @@
 #include "engine_sim/model/engines/jt9d.h"
 #include "engine_sim/model/units.h"
 #include "run_engine_sim.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "tests/unit/engine_sim/reference_cases.h"
 
 namespace ehm::engine {

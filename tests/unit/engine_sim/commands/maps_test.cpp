@@ -16,7 +16,7 @@
 #include "engine_sim/model/engines/jt9d.h"
 #include "engine_sim/model/units.h"
 #include "run_engine_sim.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace ehm::engine {
 namespace {
@@ -123,7 +123,8 @@ TEST_F(MapsTest, TheNumbersAreTheMaps) {
 TEST_F(MapsTest, TheOperatingLineIsTheEngines) {
   const auto lines = operating_lines(Turbofan(jt9d()));
   ASSERT_EQ(lines.size(), 2u);
-  // from the rating's maximum to its idle: at sea level on the design point's day T40 limits, and the ground's idle holds
+  // from the rating's maximum to its idle: at sea level on the design point's day T40 limits, and the ground's idle
+  // holds
   const Ratings& ratings = jt9d().ratings;
   EXPECT_NEAR(lines[0].points.front().gas.s40.tt_k, ratings.t40_max_k, 1e-6);
   const GasPath& idle = lines[0].points.back().gas;
