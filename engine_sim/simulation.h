@@ -5,9 +5,8 @@
 // Sample k is taken at t = k dt. The fuel flow of sample k acts from t to t + dt, and its direct effect on pressures
 // and temperatures is in the readings of sample k: u[k] of THEORY.md section 4.
 // A demand out of reach is no error: the control's limits hold the engine. Only the start is the caller's to choose.
-// @throws FlightError when the first demand or the flight leaves no running engine: says when, where, what was
-// demanded,
-//         and which balance does not close.
+// @throws FlightError when the first demand or the flight leaves no running engine; the message says when, where, what
+// was demanded, and which balance does not close.
 
 #include <array>
 #include <cstdint>

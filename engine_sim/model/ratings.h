@@ -1,7 +1,9 @@
 #pragma once
 // Idle and maximum power.
-//   maximum: max(T40/T40max, T48/T48max, P30/P30max, N1/N1max, N2/N2max, N1c/N1cmax, N2c/N2cmax) = 1,  Nc =
-//   N/sqrt(theta2) idle:    N2 = N2c_idle sqrt(theta2), on the ground (up to Mach 0.25 and 3000 m) lower than in flight
+//   maximum: max(T40/T40max, T48/T48max, P30/P30max, N1/N1max, N2/N2max, N1c/N1cmax, N2c/N2cmax) = 1
+//   idle:    N2 = N2c_idle sqrt(theta2), on the ground (up to Mach 0.25 and 3000 m) lower than in flight
+// with corrected speeds Nc = N/sqrt(theta2).
+//
 // The corrected speeds bound cold days and high altitudes, where T40 alone would drive the engine off its maps.
 // Units: K, Pa, rpm. Errors: none. Source: the way engines are rated (Walsh & Fletcher, chapter 7); numbers:
 // EngineData.

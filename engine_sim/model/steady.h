@@ -1,12 +1,13 @@
 #pragma once
 // Steady operating point: both spools in power balance, all flows closed, one demand met.
 //   unknowns (9):  six of flow_unknowns.h, N1 and N2 and fuel flow relative to the design point
-//   residuals (9): six flow balances, (turbine - absorbed power)/turbine power of both shafts, demand (value -
-//   target)/scale
-// Newton's method with exact derivatives; where it fails from the given start, the flight condition, the health and the
-// demand are approached from the design point in steps that adapt (continuation). Units SI, health as fractions.
-// Source: Walsh & Fletcher, chapter 7 (off-design matching); continuation: Allgower & Georg, Introduction to Numerical
-// Continuation Methods, chapter 2.
+//   residuals (9): six flow balances, (turbine - absorbed power)/turbine power of both shafts,
+//                  (demanded quantity - demand)/scale
+// Newton's method with exact derivatives. Where it fails from the given start, the new engine is solved at a calm fan
+// speed, then worn, re-set and loaded in steps at that speed, and then its operating line is followed by arc length,
+// also where it turns back on the demand, until the demand is passed.
+// Units SI, health as fractions. Source: Walsh & Fletcher, chapter 7 (off-design matching); pseudo-arclength
+// continuation: Allgower & Georg, Introduction to Numerical Continuation Methods, chapters 2 and 6.
 
 #include "engine_sim/model/turbofan.h"
 

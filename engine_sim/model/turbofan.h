@@ -60,7 +60,8 @@ class Turbofan {
   /// `metal`: temperatures for the heat soak, or none.
   /// @throws std::invalid_argument if speeds or operation are not finite or out of range (the message says which)
   /// @throws std::out_of_range for a flight condition outside the atmosphere's or the inlet's range
-  /// @throws SolveError if a balance does not close, or a nozzle has no pressure ratio left
+  /// @throws SolveError if a balance does not close, a nozzle has no pressure ratio left, or the combustor no air or
+  /// more fuel or heat than the gas data cover
   GasPath gas_path(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
                    const MetalTemperatures* metal = nullptr) const;
 

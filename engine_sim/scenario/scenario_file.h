@@ -1,8 +1,8 @@
 #pragma once
 // The scenario file (TOML) and everything else that configures engine_sim, through the one schema.
 //
-//   [engine] id, source_id, heat_soak   [aircraft] customer_bleed_kg_s, power_w
-//       [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
+//   [engine] id, source_id, heat_soak           [aircraft] customer_bleed_kg_s, power_w
+//   [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
 //   [sensors] noise, lag, quantisation          [control] limits, bandwidth        [dds] domain, partition, profiles
 //   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k
