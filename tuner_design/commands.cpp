@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <ostream>
 
@@ -11,6 +10,7 @@
 #include "monitor/design/file_error.h"
 #include "monitor/design/model_file.h"
 #include "tuner_design/check_report.h"
+#include "tuner_design/command.h"
 #include "tuner_design/design_report.h"
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/linearise_command.h"
@@ -22,15 +22,13 @@ constexpr const char* footer =
     "Exit codes: 0 done, 1 a computation failed, 2 wrong command line or input file; the reason is on stderr.\n"
     "Chain: linearise (or your own matrices) -> design -> the file that monitor loads.";
 
-using Action = std::function<void(std::ostream&)>;
-
 struct DesignArguments {
   std::string model, out;
   design::DesignOptions options;
-  bool json = false;
+  OutputOptions output;
 };
 
-void design_to_file(const DesignArguments& arguments, std::ostream& out) {
+void design_to_file(const DesignArguments& arguments, const Console& console) {
   const estimation::LinearModel model = design::read_model(arguments.model);
   std::error_code absent;
   if (std::filesystem::equivalent(arguments.model, arguments.out, absent))
@@ -42,12 +40,12 @@ void design_to_file(const DesignArguments& arguments, std::ostream& out) {
     throw design::FileError(arguments.model + ": " + error.what());
   }
   design.hash = design::write_design(design, arguments.out);
-  if (arguments.json) {
-    out << design_as_json(design).dump(2) << '\n';
-    return;
-  }
-  print_design(design, out);
-  out << "  written to " << arguments.out << ", hash " << design.hash << '\n';
+  print_result(
+      console, arguments.output, [&] { return design_as_json(design); },
+      [&](std::ostream& out) {
+        print_design(design, out);
+        out << "  written to " << arguments.out << ", hash " << design.hash << '\n';
+      });
 }
 
 void add_design_command(CLI::App& app, Action& run) {
@@ -67,22 +65,21 @@ void add_design_command(CLI::App& app, Action& run) {
         const bool good = CLI::detail::lexical_cast(text, value) && value >= 1e-12 && value <= 100.0;
         return good ? "" : "'" + text + "' is not a number from 1e-12 to 100 percent^2 per sample";
       });
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of tables");
-  command->callback([arguments, &run] { run = [arguments](std::ostream& out) { design_to_file(*arguments, out); }; });
+  add_output_options(*command, arguments->output);
+  command->callback(
+      [arguments, &run] { run = [arguments](const Console& console) { design_to_file(*arguments, console); }; });
 }
 
 struct CheckArguments {
   std::string file;
-  bool json = false;
+  OutputOptions output;
 };
 
-void check_one(const CheckArguments& arguments, std::ostream& out) {
+void check_one(const CheckArguments& arguments, const Console& console) {
   const CheckedFile file = check_file(arguments.file);
-  if (arguments.json) {
-    out << check_as_json(file).dump(2) << '\n';
-  } else {
-    print_check(file, out);
-  }
+  print_result(
+      console, arguments.output, [&] { return check_as_json(file); },
+      [&](std::ostream& out) { print_check(file, out); });
   try {
     require_observable(file.observability, file.model.sensors.size() < file.model.health.size());
   } catch (const std::runtime_error& error) {
@@ -94,8 +91,9 @@ void add_check_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand("check", "Validate a linear model or a design file and say what it is");
   command->add_option("file", arguments->file, "Linear model or design file")->required()->type_name("FILE");
-  command->add_flag("--json", arguments->json, "Print one JSON object instead of text");
-  command->callback([arguments, &run] { run = [arguments](std::ostream& out) { check_one(*arguments, out); }; });
+  add_output_options(*command, arguments->output);
+  command->callback(
+      [arguments, &run] { run = [arguments](const Console& console) { check_one(*arguments, console); }; });
 }
 
 }  // namespace
@@ -121,7 +119,7 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
     return app.exit(error, out, err) == 0 ? 0 : 2;
   }
   try {
-    run(out);
+    run({out, err});
     return 0;
   } catch (const design::FileError& error) {
     err << "tuner_design: " << error.what() << '\n';

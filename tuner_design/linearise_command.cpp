@@ -26,6 +26,7 @@ struct Arguments {
   std::string method = "perturbation";
   int fleet = LineariseOptions{}.fleet;
   std::uint64_t seed = LineariseOptions{}.seed;
+  OutputOptions output;
 };
 
 engine::Demand demand_of(const Arguments& arguments) {
@@ -51,7 +52,30 @@ std::size_t parse_health(const std::string& text, double& value) {
   return static_cast<std::size_t>(found - names.begin());
 }
 
-void linearise_to_file(const Arguments& arguments, std::ostream& out) {
+nlohmann::ordered_json as_json(const Linearisation& result, const Arguments& arguments) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const StepStudyRow& row : result.study.rows)
+    rows.push_back({{"relative_step", row.step}, {"largest_relative_change", row.change}});
+  return {{"name", result.model.name},
+          {"method", arguments.method},
+          {"file", arguments.out},
+          {"relative_step", result.study.step},
+          {"step_study", std::move(rows)}};
+}
+
+void print_linearisation(const Linearisation& result, const Arguments& arguments, std::ostream& out) {
+  if (arguments.step_study) {
+    out << "  relative step    largest relative change of a column to the next smaller step\n";
+    for (const StepStudyRow& row : result.study.rows) {
+      out << std::scientific << std::setprecision(3) << std::setw(15) << row.step << std::setw(14) << row.change
+          << (row.step == result.study.step ? "   chosen" : "") << '\n';
+    }
+    out << std::defaultfloat << std::setprecision(6);
+  }
+  out << result.model.name << ", " << arguments.method << ": linear model written to " << arguments.out << '\n';
+}
+
+void linearise_to_file(const Arguments& arguments, const Console& console) {
   LineariseOptions options;
   options.flight = arguments.flight;
   options.demand = demand_of(arguments);
@@ -68,20 +92,14 @@ void linearise_to_file(const Arguments& arguments, std::ostream& out) {
   const engine::Turbofan turbofan(engine::jt9d());
   const Linearisation result = linearise(turbofan, options);
   design::write_model(result.model, arguments.out);
-  if (arguments.step_study) {
-    out << "  relative step    largest relative change of a column to the next smaller step\n";
-    for (const StepStudyRow& row : result.study.rows) {
-      out << std::scientific << std::setprecision(3) << std::setw(15) << row.step << std::setw(14) << row.change
-          << (row.step == result.study.step ? "   chosen" : "") << '\n';
-    }
-    out << std::defaultfloat << std::setprecision(6);
-  }
-  out << result.model.name << ", " << arguments.method << ": linear model written to " << arguments.out << '\n';
+  print_result(
+      console, arguments.output, [&] { return as_json(result, arguments); },
+      [&](std::ostream& out) { print_linearisation(result, arguments, out); });
 }
 
 }  // namespace
 
-void add_linearise_command(CLI::App& app, std::function<void(std::ostream&)>& run) {
+void add_linearise_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("linearise", "Linear model of the nonlinear engine at one operating point");
   command->add_option("--out", arguments->out, "Linear model file to write")->required()->type_name("M.json");
@@ -121,8 +139,9 @@ void add_linearise_command(CLI::App& app, std::function<void(std::ostream&)>& ru
   lag("--lag-pressure-s", arguments->lags.pressure_s, "pressure");
   lag("--lag-temperature-s", arguments->lags.temperature_s, "temperature");
   command->add_flag("--step-study", arguments->step_study, "Print how the derivatives depend on the step");
+  add_output_options(*command, arguments->output);
   command->callback(
-      [arguments, &run] { run = [arguments](std::ostream& out) { linearise_to_file(*arguments, out); }; });
+      [arguments, &run] { run = [arguments](const Console& console) { linearise_to_file(*arguments, console); }; });
 }
 
 }  // namespace ehm::bench

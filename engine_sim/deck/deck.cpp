@@ -1,11 +1,10 @@
 #include "engine_sim/deck/deck.h"
 
 #include <algorithm>
-#include <atomic>
 #include <span>
 #include <stdexcept>
-#include <thread>
 
+#include "deploy/work/parallel_for.h"
 #include "engine_sim/deck/deck_columns.h"
 #include "engine_sim/model/ratings.h"
 
@@ -50,23 +49,17 @@ DeckRow solve_row(const Turbofan& engine, const DeckCase& one, const std::vector
   return row;
 }
 
-/// Every row of the block, by this thread and `threads` - 1 helpers, each taking the next row that nobody has.
+/// Every row of the block; rows stay empty once it is stopped.
 std::vector<DeckRow> solve_block(const Turbofan& engine, std::span<const DeckCase> block,
                                  const std::vector<const DeckOutput*>& columns, unsigned threads, const DeckSink& sink,
                                  std::size_t done_before) {
   std::vector<DeckRow> rows(block.size());
-  std::atomic<std::size_t> next{0}, done{done_before};
-  const auto work = [&](const auto& progress) {
-    for (std::size_t i = 0; !sink.stopped() && (i = next++) < block.size();) {
-      rows[i] = solve_row(engine, block[i], columns);
-      progress(++done);
-    }
-  };
-  std::vector<std::jthread> helpers;
-  for (std::size_t t = 1; t < std::min<std::size_t>(threads, block.size()); ++t)
-    helpers.emplace_back([&] { work([](std::size_t) {}); });
-  work(sink.progress);
-  helpers.clear();  // joins them
+  work::parallel_for(
+      block.size(), threads,
+      [&](std::size_t i) {
+        if (!sink.stopped()) rows[i] = solve_row(engine, block[i], columns);
+      },
+      [&](std::size_t done) { sink.progress(done_before + done); });
   return rows;
 }
 

@@ -13,9 +13,9 @@
 #include "deploy/files/atomic_file.h"
 #include "deploy/files/file_error.h"
 #include "deploy/service/stop_signal.h"
+#include "deploy/work/progress_bar.h"
 #include "engine_sim/deck/deck.h"
 #include "engine_sim/deck/deck_columns.h"
-#include "engine_sim/deck/progress_bar.h"
 #include "engine_sim/model/engines/jt9d.h"
 
 namespace ehm::engine {
@@ -70,7 +70,7 @@ void make_deck(const Arguments& arguments, std::ostream& out, std::ostream& err)
   const Turbofan engine(jt9d());
   const service::StopSignal stop;
   DeckOut deck(arguments.out, out);
-  ProgressBar bar(err, isatty(STDERR_FILENO) == 1, cases.cases.size());
+  work::ProgressBar bar(err, isatty(STDERR_FILENO) == 1, cases.cases.size());
   const auto start = std::chrono::steady_clock::now();
   const DeckSummary summary = write_deck(engine, cases, arguments.threads,
                                          {.write = [&](std::string_view text) { deck.write(text); },

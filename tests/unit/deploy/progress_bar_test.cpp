@@ -1,11 +1,11 @@
-#include "engine_sim/deck/progress_bar.h"
+#include "deploy/work/progress_bar.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-namespace ehm::engine {
+namespace ehm::work {
 namespace {
 
 TEST(ProgressBar, ShowsShareAndTimeLeft) {
@@ -31,4 +31,4 @@ TEST(ProgressBar, IsSilentOffATerminalAndInTheFirstSeconds) {
 }
 
 }  // namespace
-}  // namespace ehm::engine
+}  // namespace ehm::work

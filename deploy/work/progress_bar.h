@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <ostream>
 
-namespace ehm::engine {
+namespace ehm::work {
 
 class ProgressBar {
  public:
@@ -34,4 +34,4 @@ class ProgressBar {
   bool drawn_ = false;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::work

@@ -1,10 +1,10 @@
-#include "engine_sim/deck/progress_bar.h"
+#include "deploy/work/progress_bar.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-namespace ehm::engine {
+namespace ehm::work {
 
 ProgressBar::ProgressBar(std::ostream& out, bool terminal, std::size_t total)
     : out_(out), terminal_(terminal), total_(total) {}
@@ -38,4 +38,4 @@ void ProgressBar::clear() {
   drawn_ = false;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::work

@@ -1,0 +1,33 @@
+#include "tuner_design/command.h"
+
+#include <unistd.h>
+
+#include <ostream>
+
+namespace ehm::bench {
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  auto* json = command.add_flag("--json", options.json, "Print one JSON object instead of tables");
+  auto* progress = command.add_flag("--progress", options.progress, "Show a progress bar also off a terminal");
+  auto* quiet = command.add_flag("--quiet", options.quiet, "Print nothing but errors");
+  quiet->excludes(json);
+  quiet->excludes(progress);
+}
+
+work::ProgressBar progress_bar(const Console& console, const OutputOptions& options, std::size_t total) {
+  const bool wanted = options.progress || isatty(STDERR_FILENO) == 1;
+  return {console.err, wanted && !options.quiet, total};
+}
+
+void print_result(const Console& console, const OutputOptions& options,
+                  const std::function<nlohmann::ordered_json()>& as_json,
+                  const std::function<void(std::ostream&)>& as_table) {
+  if (options.quiet) return;
+  if (options.json) {
+    console.out << as_json().dump(2) << '\n';
+  } else {
+    as_table(console.out);
+  }
+}
+
+}  // namespace ehm::bench
