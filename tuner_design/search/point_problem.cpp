@@ -1,6 +1,7 @@
 #include "tuner_design/search/point_problem.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -9,8 +10,8 @@
 namespace ehm::bench {
 namespace {
 
-void check_weights(const ErrorWeights& weights, Eigen::Index outputs) {
-  if (weights.channel.size() != 0 && weights.channel.size() != outputs) {
+void check_weights(const design::ErrorWeights& weights, Eigen::Index outputs) {
+  if (!weights.channel.empty() && static_cast<Eigen::Index>(weights.channel.size()) != outputs) {
     throw std::invalid_argument("weights: " + std::to_string(weights.channel.size()) +
                                 " for the auxiliary outputs; expected " + std::to_string(outputs));
   }
@@ -18,10 +19,10 @@ void check_weights(const ErrorWeights& weights, Eigen::Index outputs) {
   bool all_good = good(weights.health) && good(weights.auxiliary);
   for (const double weight : weights.channel) all_good = all_good && good(weight);
   if (!all_good) throw std::invalid_argument("weights: allowed are finite numbers that are not negative");
-  if (weights.health == 0.0 && (weights.auxiliary == 0.0 || outputs == 0 || weights.channel.cwiseAbs().sum() == 0.0)) {
-    if (weights.auxiliary == 0.0 || outputs == 0 || weights.channel.size() != 0)
-      throw std::invalid_argument("weights: all are zero, nothing is left to be good at");
-  }
+  const bool outputs_count = outputs > 0 && (weights.channel.empty() ||
+                                             *std::max_element(weights.channel.begin(), weights.channel.end()) > 0.0);
+  if (weights.health == 0.0 && (weights.auxiliary == 0.0 || !outputs_count))
+    throw std::invalid_argument("weights: all are zero, nothing is left to be good at");
 }
 
 /// Symmetric root of a covariance, for which a Cholesky factor need not exist.
@@ -51,10 +52,11 @@ void add_unknowns(PointProblem& point, const estimation::LinearModel& model, con
 }  // namespace
 
 PointProblem make_point_problem(const estimation::LinearModel& model, const estimation::SteadyGain& steady,
-                                const std::vector<int>& sensors, const ErrorWeights& weights) {
+                                const std::vector<int>& sensors, const design::ErrorWeights& weights) {
   const Eigen::Index r = model.F.rows();
   check_weights(weights, r);
   PointProblem point;
+  point.name = model.name;
   point.A = model.A;
   point.L = model.L;
   point.C = model.C(sensors, Eigen::all);
@@ -69,19 +71,23 @@ PointProblem make_point_problem(const estimation::LinearModel& model, const esti
   add_unknowns(point, model, sensors);
 
   constexpr double vanishes = 1e-9;  // of the prior
-  const Eigen::VectorXd channel = weights.channel.size() == r ? weights.channel : Eigen::VectorXd::Ones(r);
+  Eigen::VectorXd channel = Eigen::VectorXd::Ones(r);
+  std::copy(weights.channel.begin(), weights.channel.end(), channel.begin());
   const Eigen::MatrixXd U = bayes_limit_factor(point.H, point.health_covariance);
-  const double health_prior = point.health_covariance.trace();
-  point.health_limit = U.squaredNorm();
-  if (point.health_limit <= vanishes * health_prior) point.health_limit = health_prior;
   const Eigen::VectorXd seen = (steady.Hz * U).rowwise().squaredNorm();
   const Eigen::VectorXd prior = (steady.Hz * model.health_sigma.asDiagonal()).rowwise().squaredNorm();
-  point.auxiliary_limit = channel.dot(seen);
-  point.limit_is_prior = !(point.auxiliary_limit > vanishes * channel.dot(prior));
-  if (point.limit_is_prior) point.auxiliary_limit = channel.dot(prior);
+  const auto divisor = [&](double limit, double fleet) {
+    if (limit > vanishes * fleet) return limit;
+    point.limit_is_prior = point.limit_is_prior || fleet > 0.0;
+    return fleet;
+  };
+  point.health_limit = divisor(U.squaredNorm(), point.health_covariance.trace());
   point.health_weight = weights.health / point.health_limit;
-  point.auxiliary_weight = Eigen::VectorXd::Zero(r);
-  if (point.auxiliary_limit > 0.0) point.auxiliary_weight = weights.auxiliary / point.auxiliary_limit * channel;
+  const double auxiliary_limit = divisor(channel.dot(seen), channel.dot(prior));
+  point.auxiliary_ratio = Eigen::VectorXd::Zero(r);
+  if (auxiliary_limit > 0.0) point.auxiliary_ratio = channel / auxiliary_limit;
+  point.auxiliary_weight = weights.auxiliary * point.auxiliary_ratio;
+  point.lower_bound = point.health_weight * U.squaredNorm() + point.auxiliary_weight.dot(seen);
   return point;
 }
 

@@ -4,23 +4,17 @@
 //   h = Gh e  (p x k)      steady sensors Gy e  (m x k)      outputs Gz e  (r x k)
 // and the objective of a linear estimate with the errors eh (of h) and ez (of z) is
 //   J = wh E|eh|^2 + sum_i wz_i E ez_i^2,      wh = w_h / limit(h),  wz_i = w_z w_i / limit(z)
-// so that J = w_h + w_z at the Bayes limit, which is reached only where limit(z) > 0. A total limit of (nearly) zero
-// cannot divide: then what the fleet itself would give, tr Hz Ph Hz^T, stands in its place, and limit_is_prior says so.
+// so that J = w_h + w_z at the Bayes limit, if no limit vanishes. A total limit of (nearly) zero cannot divide: then
+// the fleet's own spread, tr Ph or tr Hz Ph Hz^T, stands in its place, and limit_is_prior says so.
 
+#include <string>
 #include <vector>
 
+#include "monitor/design/design.h"
 #include "monitor/estimation/capacity.h"
-#include "monitor/estimation/linear_model.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::bench {
-
-/// What a design is to be good at.
-struct ErrorWeights {
-  double health = 1.0;      ///< w_h
-  double auxiliary = 1.0;   ///< w_z
-  Eigen::VectorXd channel;  ///< w_i of each auxiliary output; empty: 1 each
-};
 
 using StateMatrix = estimation::BoundedMatrix<estimation::max_augmented, estimation::max_augmented>;
 
@@ -33,14 +27,16 @@ struct PointProblem {
   Eigen::MatrixXd Gh, Gy, Gz;
   double health_weight = 0.0;        ///< wh
   Eigen::VectorXd auxiliary_weight;  ///< wz
-  double health_limit = 0.0;         ///< what w_h was divided by
-  double auxiliary_limit = 0.0;      ///< what w_z was divided by; channel weights included
-  bool limit_is_prior = false;       ///< the auxiliary limit vanished
+  double health_limit = 0.0;         ///< limit(h), what w_h was divided by
+  Eigen::VectorXd auxiliary_ratio;   ///< w_i / limit(z): SSEE(z) / limit(z) for w_z = 1
+  double lower_bound = 0.0;          ///< J of the Bayes limits
+  bool limit_is_prior = false;       ///< limit(z) or limit(h) vanished
+  std::string name;                  ///< of the model
 };
 
 /// `model` discrete and scaled, `sensors` ascending indices. The limits are the Bayes limits of these very sensors.
 /// @throws std::invalid_argument if a weight is negative, not finite, all are zero, or their number is wrong.
 PointProblem make_point_problem(const estimation::LinearModel& model, const estimation::SteadyGain& steady,
-                                const std::vector<int>& sensors, const ErrorWeights& weights);
+                                const std::vector<int>& sensors, const design::ErrorWeights& weights);
 
 }  // namespace ehm::bench
