@@ -18,7 +18,7 @@ constexpr int evaluations_a_chart = 40;  ///< then the chart is centred anew: fa
 constexpr int max_charts = 60;
 constexpr double gradient_vanishes = 1e-8;  ///< of J
 constexpr double same_end = 1e-12;          ///< relative
-constexpr double improves = 1e-14;          ///< relative; less is rounding
+constexpr double improves = 1e-12;          ///< relative; less is rounding
 
 /// What one run of NLopt sees and remembers. NLopt may end anywhere, also by an exception at an optimum: the best
 /// point is kept here.

@@ -222,6 +222,7 @@ TEST_F(ReferenceSearch, OnlyAuxiliaryOutputsLeaveHealthWild) {
   DesignOptions options;
   options.qh_percent2 = 1e-5;
   options.weights.health = 0.0;
+  options.random_starts = 1;
   const design::Design design = design_tuner(model, options, 2);
   EXPECT_GT(design.ssee.health.sum(), designed(1e-5).ssee.health.sum());
   EXPECT_LT(design.certificate.objective, 1.01);
