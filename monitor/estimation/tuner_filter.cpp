@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "monitor/estimation/small_product.h"
+#include "monitor/estimation/matrix_vector_product.h"
 
 namespace ehm::estimation {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 
 namespace ehm::estimation {
-namespace small_product_detail {
+namespace product_detail {
 
 using RowsKernel = void (*)(const double* matrix, Eigen::Index stride, Eigen::Index columns, const double* x,
                             double* y) noexcept;
@@ -41,12 +41,12 @@ constexpr auto kernels(std::integer_sequence<int, Less...>) {
 inline constexpr int most_rows = 16;
 inline constexpr auto kernel_of_rows = kernels(std::make_integer_sequence<int, most_rows>());
 
-}  // namespace small_product_detail
+}  // namespace product_detail
 
 /// `x` has M.cols() and `y` M.rows() elements; they do not overlap.
 template <class Matrix>
 void add_product(const Matrix& M, const double* x, double* y) noexcept {
-  using namespace small_product_detail;
+  using namespace product_detail;
   const double* matrix = M.data();
   for (Eigen::Index left = M.rows(); left > 0; left -= most_rows, matrix += most_rows, y += most_rows)
     kernel_of_rows[static_cast<std::size_t>(std::min<Eigen::Index>(left, most_rows) - 1)](matrix, M.outerStride(),

@@ -1,6 +1,6 @@
-// The small product against Eigen's own, over all sizes that the blocks distinguish, and its order of summation.
+// The product against Eigen's own, over all sizes that the blocks distinguish, and its order of summation.
 
-#include "monitor/estimation/small_product.h"
+#include "monitor/estimation/matrix_vector_product.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace ehm::estimation {
 namespace {
 
-TEST(SmallProduct, AddsTheProductForEveryNumberOfRows) {
+TEST(MatrixVectorProduct, AddsTheProductForEveryNumberOfRows) {
   test::Random random(1);
   for (Eigen::Index rows = 0; rows <= 36; ++rows) {
     for (const Eigen::Index columns : {0, 1, 9, 36}) {
@@ -26,7 +26,7 @@ TEST(SmallProduct, AddsTheProductForEveryNumberOfRows) {
   }
 }
 
-TEST(SmallProduct, TakesColumnsOfALargerMatrix) {
+TEST(MatrixVectorProduct, TakesColumnsOfALargerMatrix) {
   test::Random random(2);
   const BoundedMatrix<16, 28> M = random.normal_matrix(10, 9);
   const Eigen::VectorXd x = random.normal_vector(7);
@@ -35,7 +35,7 @@ TEST(SmallProduct, TakesColumnsOfALargerMatrix) {
   EXPECT_LT((y - Eigen::MatrixXd(M).rightCols(7) * x).norm(), 1e-13);
 }
 
-TEST(SmallProduct, SumsColumnByColumn) {
+TEST(MatrixVectorProduct, SumsColumnByColumn) {
   // 1 + 1e-17 - 1 is 0 from left to right; another order would keep the 1e-17.
   const Eigen::RowVector3d row(1.0, 1e-17, -1.0);
   const Eigen::MatrixXd M = row.replicate(11, 1);
