@@ -94,24 +94,6 @@ Ended search_from(const SearchProblem& problem, const NamedTuners& start) {
   return end;
 }
 
-/// Seeded row spaces, uniform on the Grassmannian: those of normal matrices. Box-Muller on the standard's generator,
-/// the same everywhere.
-std::vector<NamedTuners> random_starts(Eigen::Index t, Eigen::Index p, int count, std::uint64_t seed) {
-  std::mt19937_64 generator(seed);
-  const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 1.0) * 0x1p-53; };
-  const auto normal = [&] {
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return radius * std::cos(2.0 * std::acos(-1.0) * uniform());
-  };
-  std::vector<NamedTuners> starts;
-  for (int i = 1; i <= count; ++i) {
-    Eigen::MatrixXd V(t, p);
-    for (double& entry : V.reshaped()) entry = normal();
-    starts.push_back({"random " + std::to_string(i), std::move(V)});
-  }
-  return starts;
-}
-
 void check(const SearchProblem& problem, const std::vector<NamedTuners>& starts) {
   if (problem.points.empty()) throw std::invalid_argument("search: no operating point");
   if (starts.empty()) throw std::invalid_argument("search: no start");
@@ -152,12 +134,29 @@ double objective(const SearchProblem& problem, const Eigen::MatrixXd& V, Eigen::
   return sum / weights;
 }
 
+std::vector<NamedTuners> random_tuners(Eigen::Index t, Eigen::Index p, int count, std::uint64_t seed) {
+  // Row spaces of normal matrices. Box-Muller on the standard's generator: the same everywhere.
+  std::mt19937_64 generator(seed);
+  const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 1.0) * 0x1p-53; };
+  const auto normal = [&] {
+    const double radius = std::sqrt(-2.0 * std::log(uniform()));
+    return radius * std::cos(2.0 * std::acos(-1.0) * uniform());
+  };
+  std::vector<NamedTuners> starts;
+  for (int i = 1; i <= count; ++i) {
+    Eigen::MatrixXd V(t, p);
+    for (double& entry : V.reshaped()) entry = normal();
+    starts.push_back({"random " + std::to_string(i), std::move(V)});
+  }
+  return starts;
+}
+
 SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& options) {
   std::vector<NamedTuners> starts = options.starts;
   check(problem, starts);
   const Eigen::MatrixXd& first = starts.front().V;
   if (first.rows() < first.cols()) {
-    const auto more = random_starts(first.rows(), first.cols(), options.random_starts, options.seed);
+    const auto more = random_tuners(first.rows(), first.cols(), options.random_starts, options.seed);
     starts.insert(starts.end(), more.begin(), more.end());
   }
   std::vector<Ended> ends(starts.size());

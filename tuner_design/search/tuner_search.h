@@ -37,6 +37,9 @@ struct NamedTuners {
   Eigen::MatrixXd V;  ///< full row rank
 };
 
+/// Seeded row spaces, uniform on the Grassmannian, named "random 1" and so on; t x p.
+std::vector<NamedTuners> random_tuners(Eigen::Index t, Eigen::Index p, int count, std::uint64_t seed);
+
 struct SearchOptions {
   std::vector<NamedTuners> starts;
   int random_starts = 8;
