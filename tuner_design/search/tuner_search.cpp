@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "deploy/work/parallel_for.h"
+#include "tuner_design/search/blind_tuner.h"
 #include "tuner_design/search/kalman_objective.h"
 #include "tuner_design/search/map_objective.h"
 #include "tuner_design/search/row_space.h"
@@ -72,14 +73,9 @@ struct Ended {
   std::vector<double> history;
 };
 
-Ended search_from(const SearchProblem& problem, const NamedTuners& start) {
-  Ended end{row_space(start.V), {start.name}, {}};
-  Eigen::MatrixXd gradient;
-  end.start.first = end.start.last = objective(problem, end.V, &gradient);
-  end.start.gradient_norm = gradient.norm();
-  end.history.push_back(end.start.first);
-  const bool free = end.V.rows() < end.V.cols();
-  for (int i = 0; free && i < max_charts && end.start.gradient_norm > gradient_vanishes * end.start.last; ++i) {
+/// From end.V, whose objective is known, down to where nothing improves.
+void descend(const SearchProblem& problem, Ended& end) {
+  for (int i = 0; i < max_charts && end.start.gradient_norm > gradient_vanishes * end.start.last; ++i) {
     const RowSpaceChart chart(end.V);
     Run run{problem, chart, end.history, end.start.last, Eigen::VectorXd(), end.start.gradient_norm};
     minimise(run);
@@ -89,6 +85,32 @@ Ended search_from(const SearchProblem& problem, const NamedTuners& start) {
     end.start.last = run.best;
     end.start.gradient_norm = run.gradient_norm;
     if (before - run.best <= improves * before) break;
+  }
+}
+
+void go_to(const SearchProblem& problem, const Eigen::MatrixXd& V, Ended& end) {
+  Eigen::MatrixXd gradient;
+  end.V = V;
+  end.start.last = objective(problem, V, &gradient);
+  end.start.gradient_norm = gradient.norm();
+  end.history.push_back(end.history.empty() ? end.start.last : std::min(end.history.back(), end.start.last));
+}
+
+Ended search_from(const SearchProblem& problem, const NamedTuners& start) {
+  Ended end{{}, {start.name}, {}};
+  go_to(problem, row_space(start.V), end);
+  end.start.first = end.start.last;
+  if (end.V.rows() < end.V.cols()) {
+    descend(problem, end);
+    for (Eigen::Index i = 0; i < end.V.rows(); ++i) {
+      const std::optional<Eigen::MatrixXd> other = without_blind_tuner(problem, end.V);
+      if (!other) break;
+      Ended again = end;
+      go_to(problem, *other, again);
+      descend(problem, again);
+      if (!(again.start.last < end.start.last)) break;
+      end = std::move(again);
+    }
   }
   end.start.evaluations = static_cast<int>(end.history.size());
   return end;
