@@ -116,7 +116,7 @@ class Flights {
     StateVector dx = StateVector::Zero(design_.model.A.rows());
     for (int k = 0; k < options_.window.samples; ++k) {
       if (wander_.moves() && k > 0) wander_.advance(dx, random);
-      step(filter, engine->sensors, dx, random);
+      step(filter, *engine, dx, random);
       const int in_window = k - options_.window.first();
       if (in_window < 0) continue;
       health_sums.add(filter.health() - true_health, intervals_.health.col(in_window));
@@ -137,14 +137,14 @@ class Flights {
 
  private:
   /// One noisy sample into the filter.
-  void step(estimation::TunerFilter& filter, const SensorVector& balance, const StateVector& dx,
+  void step(estimation::TunerFilter& filter, const EngineInBalance& engine, const StateVector& dx,
             RandomStream& random) const {
     const Eigen::VectorXd& sigma = design_.model.sensor_noise_sigma;
-    SensorVector dy = balance;
+    SensorVector dy = engine.sensors;
     for (Eigen::Index i = 0; i < dy.size(); ++i) dy(i) += sigma(i) * random.normal();
     if (wander_.moves()) dy += wander_.sensors(dx);
-    filter.predict(no_control_);
-    filter.innovation(dy, no_control_);
+    filter.predict(engine.controls);
+    filter.innovation(dy, engine.controls);
     filter.update(all_);
   }
 
@@ -154,7 +154,6 @@ class Flights {
   const estimation::TunerFilter filter_;
   const Wander wander_;
   const Intervals intervals_;
-  const estimation::ActuatorVector no_control_ = estimation::ActuatorVector::Zero(design_.model.B.cols());
   const estimation::SensorMask all_ = ~estimation::SensorMask();
 };
 
