@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t progress_steps = 1000;
 
 struct Arguments {
-  std::string design, csv, truth = "linear", estimator = "both";
+  std::string design, csv, truth = "linear", estimator = "both", hold = "fan-speed";
   EvaluateOptions options;
   OutputOptions output;
 };
@@ -33,6 +33,7 @@ void evaluate_file(Arguments arguments, const Console& console) {
   EvaluateOptions& options = arguments.options;
   options.linear = arguments.truth != "nonlinear";
   options.nonlinear = arguments.truth != "linear";
+  options.hold = arguments.hold == "fuel-flow" ? Hold::fuel_flow : Hold::fan_speed;
   options.kalman = arguments.estimator != "map";
   options.map = arguments.estimator != "kalman";
   const design::Design design = design::read_design(arguments.design);
@@ -57,6 +58,12 @@ void add_evaluate_command(CLI::App& app, Action& run) {
       ->capture_default_str();
   command->add_option("--estimator", arguments->estimator, "The monitor's Kalman filter, MAP on one snapshot, or both")
       ->check(CLI::IsMember({"kalman", "map", "both"}))
+      ->capture_default_str();
+  command
+      ->add_option("--hold", arguments->hold,
+                   "On the nonlinear truth: fan speed as the control holds it, fuel flow known to the filter; or fuel "
+                   "flow at trim")
+      ->check(CLI::IsMember({"fan-speed", "fuel-flow"}))
       ->capture_default_str();
   command->add_option("--runs", options.runs, "Engines that the Kalman filter flies on")
       ->check(CLI::Range(2, 100000000))

@@ -19,6 +19,9 @@
 
 namespace ehm::bench {
 
+/// What the nonlinear truth's control holds at the design's trim (truth.h).
+enum class Hold { fan_speed, fuel_flow };
+
 struct EvaluateOptions {
   bool linear = true, nonlinear = false;  ///< truths
   bool kalman = true, map = true;         ///< estimators
@@ -28,6 +31,7 @@ struct EvaluateOptions {
   double window = 10.0;                   ///< the last seconds of it, over which the error is averaged
   std::uint64_t seed = 1;
   unsigned threads = work::all_cores();
+  Hold hold = Hold::fan_speed;
   bool process_noise = false;  ///< the linear truth has the model's w; without it health and engine are constant
 };
 

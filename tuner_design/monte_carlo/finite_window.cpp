@@ -13,7 +13,7 @@ namespace {
 
 using design::ErrorByChannel;
 
-constexpr double longest_run_s = 86400.0;
+constexpr double most_samples = 1e6;  ///< of a run: the published intervals of the window are kept
 
 /// What reads an error out of [dx; xhat] for the health parameters or the auxiliary outputs.
 struct Output {
@@ -100,15 +100,13 @@ ErrorByChannel zero_error(const Loop& loop) {
 }  // namespace
 
 Window window_of(double seconds, double window_s, double sample_time_s) {
-  const bool within = seconds >= sample_time_s && seconds <= longest_run_s && window_s > 0.0 && window_s <= seconds;
-  const Window window = within ? Window{static_cast<int>(std::lround(seconds / sample_time_s)),
-                                        static_cast<int>(std::lround(window_s / sample_time_s))}
-                               : Window{};
-  if (within && window.averaged >= 1) return window;
+  const double samples = std::round(seconds / sample_time_s), averaged = std::round(window_s / sample_time_s);
+  if (averaged >= 1.0 && averaged <= samples && samples <= most_samples)
+    return {static_cast<int>(samples), static_cast<int>(averaged)};
   std::ostringstream message;
   message << "a window of " << window_s << " s at the end of a run of " << seconds
-          << " s; allowed: runs of one sample (" << sample_time_s << " s) to " << longest_run_s
-          << " s, windows of one sample to the whole run";
+          << " s; allowed: windows of one sample (" << sample_time_s << " s) to the whole run, runs of at most "
+          << most_samples * sample_time_s << " s";
   throw std::invalid_argument(message.str());
 }
 

@@ -22,7 +22,8 @@ struct Window {
   int first() const { return samples - averaged; }
 };
 
-/// @throws std::invalid_argument if the window has no sample or is longer than the run, or the run longer than a day.
+/// @throws std::invalid_argument if the window has no sample or is longer than the run, or the run longer than a
+///         million samples.
 Window window_of(double seconds, double window_s, double sample_time_s);
 
 struct WindowError {

@@ -6,6 +6,7 @@
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
 #include "monitor/estimation/error_propagation.h"
+#include "monitor/estimation/matrix_vector_product.h"
 #include "tuner_design/discretise.h"
 #include "tuner_design/monte_carlo/engine_average.h"
 #include "tuner_design/monte_carlo/random_stream.h"
@@ -63,28 +64,37 @@ class WindowSums {
   Vector squares_, within_, error_;
 };
 
-/// The state of the true engine about its balance, driven by w; channel units.
+/// The state of the true engine about its balance, dx[k+1] = A dx[k] + w[k], and what it adds to sensors and outputs;
+/// channel units.
 class Wander {
  public:
-  Wander(const estimation::LinearModel& discrete, bool process_noise) : model_(discrete) {
-    if (!process_noise) return;
+  Wander(const estimation::LinearModel& discrete, bool process_noise)
+      : moves_(process_noise), A_(discrete.A), C_(discrete.C), F_(discrete.F) {
     // w = root n with n ~ N(0, I); the covariance may be singular
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(discrete.process_noise);
     root_ = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   }
 
-  bool moves() const { return root_.size() > 0; }
+  bool moves() const { return moves_; }
   void advance(StateVector& dx, RandomStream& random) const {
-    StateVector n(dx.size());
+    StateVector n(dx.size()), next = StateVector::Zero(dx.size());
     for (double& each : n) each = random.normal();
-    dx = (model_.A.lazyProduct(dx) + root_.lazyProduct(n)).eval();
+    estimation::add_product(A_, dx.data(), next.data());
+    estimation::add_product(root_, n.data(), next.data());
+    dx = next;
   }
-  auto sensors(const StateVector& dx) const { return model_.C.lazyProduct(dx); }
-  auto auxiliary(const StateVector& dx) const { return model_.F.lazyProduct(dx); }
+  void add_to_sensors(SensorVector& dy, const StateVector& dx) const {
+    estimation::add_product(C_, dx.data(), dy.data());
+  }
+  void add_to_auxiliary(AuxiliaryVector& z, const StateVector& dx) const {
+    estimation::add_product(F_, dx.data(), z.data());
+  }
 
  private:
-  estimation::LinearModel model_;
-  Eigen::MatrixXd root_;
+  bool moves_;
+  estimation::BoundedMatrix<estimation::max_states, estimation::max_states> A_, root_;
+  estimation::BoundedMatrix<estimation::max_sensors, estimation::max_states> C_;
+  estimation::BoundedMatrix<estimation::max_auxiliary, estimation::max_states> F_;
 };
 
 class Flights {
@@ -116,16 +126,13 @@ class Flights {
     StateVector dx = StateVector::Zero(design_.model.A.rows());
     for (int k = 0; k < options_.window.samples; ++k) {
       if (wander_.moves() && k > 0) wander_.advance(dx, random);
-      step(filter, engine->sensors, dx, random);
+      step(filter, *engine, dx, random);
       const int in_window = k - options_.window.first();
       if (in_window < 0) continue;
       health_sums.add(filter.health() - true_health, intervals_.health.col(in_window));
-      if (wander_.moves()) {
-        auxiliary_sums.add(filter.auxiliary() - true_auxiliary - wander_.auxiliary(dx),
-                           intervals_.auxiliary.col(in_window));
-      } else {
-        auxiliary_sums.add(filter.auxiliary() - true_auxiliary, intervals_.auxiliary.col(in_window));
-      }
+      AuxiliaryVector now = true_auxiliary;
+      if (wander_.moves()) wander_.add_to_auxiliary(now, dx);
+      auxiliary_sums.add(filter.auxiliary() - now, intervals_.auxiliary.col(in_window));
     }
     const int samples = options_.window.averaged;
     const Eigen::VectorXd health_error = health_sums.mean_square(design_.scaling.health, samples);
@@ -137,14 +144,14 @@ class Flights {
 
  private:
   /// One noisy sample into the filter.
-  void step(estimation::TunerFilter& filter, const SensorVector& balance, const StateVector& dx,
+  void step(estimation::TunerFilter& filter, const EngineInBalance& engine, const StateVector& dx,
             RandomStream& random) const {
     const Eigen::VectorXd& sigma = design_.model.sensor_noise_sigma;
-    SensorVector dy = balance;
+    SensorVector dy = engine.sensors;
     for (Eigen::Index i = 0; i < dy.size(); ++i) dy(i) += sigma(i) * random.normal();
-    if (wander_.moves()) dy += wander_.sensors(dx);
-    filter.predict(no_control_);
-    filter.innovation(dy, no_control_);
+    if (wander_.moves()) wander_.add_to_sensors(dy, dx);
+    filter.predict(engine.controls);
+    filter.innovation(dy, engine.controls);
     filter.update(all_);
   }
 
@@ -154,7 +161,6 @@ class Flights {
   const estimation::TunerFilter filter_;
   const Wander wander_;
   const Intervals intervals_;
-  const estimation::ActuatorVector no_control_ = estimation::ActuatorVector::Zero(design_.model.B.cols());
   const estimation::SensorMask all_ = ~estimation::SensorMask();
 };
 

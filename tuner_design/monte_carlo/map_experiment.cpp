@@ -12,7 +12,7 @@ namespace {
 /// Everything scaled.
 struct Snapshots {
   estimation::LinearModel model;
-  estimation::SteadyGain steady;
+  estimation::SteadyGain steady, steady_of_controls;  ///< answers of sensors and outputs to health and to u
   Eigen::MatrixXd Ph, R;
 };
 
@@ -20,6 +20,9 @@ Snapshots snapshots_of(const design::Design& design) {
   Snapshots snapshots;
   snapshots.model = estimation::scaled(discretise(design.model), design.scaling);
   snapshots.steady = estimation::steady_gain(snapshots.model);
+  estimation::LinearModel controlled = snapshots.model;
+  controlled.L = controlled.B, controlled.M = controlled.D, controlled.N = controlled.G;
+  snapshots.steady_of_controls = estimation::steady_gain(controlled);
   snapshots.Ph = snapshots.model.health_sigma.cwiseAbs2().asDiagonal();
   snapshots.R = snapshots.model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
   return snapshots;
@@ -76,9 +79,10 @@ std::vector<Experiment> map_experiment(const design::Design& design, const Eigen
     for (Eigen::Index i = 0; i < p; ++i) h(i) = s.model.health_sigma(i) * random.normal();
     const std::optional<EngineInBalance> engine = truth.engine(h.cwiseProduct(design.scaling.health));
     if (!engine) return false;
-    y = engine->sensors.cwiseQuotient(design.scaling.sensor);
+    y = engine->sensors.cwiseQuotient(design.scaling.sensor) - s.steady_of_controls.H * engine->controls;
     for (Eigen::Index i = 0; i < m; ++i) y(i) += s.model.sensor_noise_sigma(i) * random.normal();
-    const Eigen::VectorXd z = engine->auxiliary.cwiseQuotient(design.scaling.auxiliary);
+    const Eigen::VectorXd z =
+        engine->auxiliary.cwiseQuotient(design.scaling.auxiliary) - s.steady_of_controls.Hz * engine->controls;
     Eigen::Index at = 0;
     for (const Eigen::MatrixXd* E : {&full, &reduced}) {
       const Eigen::VectorXd estimate = *E * y;

@@ -3,7 +3,8 @@
 //
 //   theory           (E H - I) Ph (E H - I)^T + E R E^T, with Hz in front for z
 //   linearisation    E Lambda_y E^T for h, [Hz E, -I] Lambda [Hz E, -I]^T for z
-// Both estimators see the same snapshots. Engine i draws from the stream (seed, i), as in kalman_experiment.h.
+// A snapshot is y less the steady answer to the controls, (C (I-A)^-1 B + D) u; z likewise. Both estimators see the
+// same snapshots. Engine i draws from the stream (seed, i), as in kalman_experiment.h.
 
 #include "tuner_design/monte_carlo/evaluation.h"
 #include "tuner_design/monte_carlo/truth.h"

@@ -40,7 +40,7 @@ Eigen::VectorXd trims(const std::vector<Channel>& channels) {
 /// The turbofan at the design's flight condition and controls.
 class Fleet {
  public:
-  explicit Fleet(const LinearModel& model) : turbofan_(engine::jt9d()) {
+  Fleet(const LinearModel& model, Hold hold) : turbofan_(engine::jt9d()) {
     if (model.engine_type != "jt9d" || !model.operating_point) {
       throw std::invalid_argument("nonlinear truth: the design is for the engine type '" + model.engine_type + "'" +
                                   (model.operating_point ? "" : " without operating_point") +
@@ -51,9 +51,12 @@ class Fleet {
     sensors_ = positions(model.sensors, known.sensors, "sensor");
     auxiliary_ = positions(model.auxiliary, known.auxiliary, "auxiliary output");
     health_ = positions(model.health, known.health, "health parameter");
-    sensor_trim_ = trims(model.sensors), auxiliary_trim_ = trims(model.auxiliary), health_trim_ = trims(model.health);
-    hold_controls(model, positions(model.controls, known.controls, "control"));
-    new_engine_ = engine::solve_steady(turbofan_, operation_, demand());
+    controls_ = positions(model.controls, known.controls, "control");
+    sensor_trim_ = trims(model.sensors), auxiliary_trim_ = trims(model.auxiliary);
+    health_trim_ = trims(model.health), control_trim_ = trims(model.controls);
+    set_trim(model);
+    demand_ = demand_of(model, hold);
+    new_engine_ = engine::solve_steady(turbofan_, operation_, demand_);
   }
 
   std::optional<EngineInBalance> engine(const estimation::HealthVector& health) const {
@@ -63,10 +66,12 @@ class Fleet {
       worn.health[static_cast<std::size_t>(health_[i])] = health_trim_(at) + health(at);
     }
     try {
-      const Eigen::VectorXd outputs =
-          outputs_of(layout_, engine::solve_steady(turbofan_, worn, demand(), &new_engine_).gas);
+      const engine::SteadyPoint point = engine::solve_steady(turbofan_, worn, demand_, &new_engine_);
+      const Eigen::VectorXd outputs = outputs_of(layout_, point.gas);
+      const Eigen::VectorXd controls = inputs_of(layout_, point).segment<engine_controls>(layout_.fuel());
       return EngineInBalance{outputs.segment<engine_sensors>(layout_.sensors())(sensors_) - sensor_trim_,
-                             outputs.segment<engine_auxiliary>(layout_.auxiliary())(auxiliary_) - auxiliary_trim_};
+                             outputs.segment<engine_auxiliary>(layout_.auxiliary())(auxiliary_) - auxiliary_trim_,
+                             controls(controls_) - control_trim_};
     } catch (const engine::SolveError&) {
       return std::nullopt;  // the caller counts these engines
     }
@@ -75,39 +80,47 @@ class Fleet {
   std::string description() const {
     std::ostringstream text;
     text << "nonlinear turbofan in balance, " << operation_.flight.altitude_m << " m, Mach " << operation_.flight.mach
-         << ", ISA " << std::showpos << operation_.flight.delta_isa_k << std::noshowpos << " K, fuel flow held at "
-         << fuel_flow_kg_s_ << " kg/s";
+         << ", ISA " << std::showpos << operation_.flight.delta_isa_k << std::noshowpos << " K, "
+         << (demand_.kind == engine::DemandKind::n1_rpm ? "fan speed held at " : "fuel flow held at ") << demand_.value
+         << (demand_.kind == engine::DemandKind::n1_rpm ? " rpm" : " kg/s");
     return text.str();
   }
 
  private:
-  void hold_controls(const LinearModel& model, const std::vector<Eigen::Index>& controls) {
+  void set_trim(const LinearModel& model) {
     operation_.flight = {model.operating_point->altitude_m, model.operating_point->mach,
                          model.operating_point->delta_isa_k};
-    double* const held[engine_controls]{&fuel_flow_kg_s_, &operation_.geometry.vsv_deg,
+    double* const held[engine_controls]{&operation_.fuel_flow_kg_s, &operation_.geometry.vsv_deg,
                                         &operation_.geometry.vbv_fraction};
-    for (std::size_t i = 0; i < controls.size(); ++i) *held[controls[i]] = model.controls[i].trim;
-    if (!(fuel_flow_kg_s_ > 0.0)) {
-      throw std::invalid_argument("nonlinear truth: the design has no control fuel_flow (kg/s) with a trim above 0");
-    }
+    for (std::size_t i = 0; i < controls_.size(); ++i)
+      *held[controls_[i]] = control_trim_(static_cast<Eigen::Index>(i));
     for (std::size_t i = 0; i < health_.size(); ++i)
       operation_.health[static_cast<std::size_t>(health_[i])] = health_trim_(static_cast<Eigen::Index>(i));
   }
-  engine::Demand demand() const { return {engine::DemandKind::fuel_flow_kg_s, fuel_flow_kg_s_}; }
+
+  engine::Demand demand_of(const LinearModel& model, Hold hold) const {
+    if (hold == Hold::fuel_flow) {
+      if (operation_.fuel_flow_kg_s > 0.0) return {engine::DemandKind::fuel_flow_kg_s, operation_.fuel_flow_kg_s};
+      throw std::invalid_argument("nonlinear truth: the design has no control fuel_flow (kg/s) with a trim above 0");
+    }
+    for (const Channel& state : model.states)
+      if (state.name == "Nf" && state.unit == "rpm") return {engine::DemandKind::n1_rpm, state.trim};
+    throw std::invalid_argument("nonlinear truth: the design has no state Nf (rpm) whose trim could be held");
+  }
 
   EngineLayout layout_;
   engine::Turbofan turbofan_;
-  std::vector<Eigen::Index> sensors_, auxiliary_, health_;  ///< among the engine's channels
-  Eigen::VectorXd sensor_trim_, auxiliary_trim_, health_trim_;
+  std::vector<Eigen::Index> sensors_, auxiliary_, health_, controls_;  ///< among the engine's channels
+  Eigen::VectorXd sensor_trim_, auxiliary_trim_, health_trim_, control_trim_;
   engine::Operation operation_;
-  double fuel_flow_kg_s_ = 0.0;
+  engine::Demand demand_{};
   engine::SteadyPoint new_engine_;
 };
 
 }  // namespace
 
-Truth nonlinear_truth(const design::Design& design) {
-  const auto fleet = std::make_shared<const Fleet>(design.model);
+Truth nonlinear_truth(const design::Design& design, Hold hold) {
+  const auto fleet = std::make_shared<const Fleet>(design.model, hold);
   return {fleet->description(), true,
           [fleet](const estimation::HealthVector& health) { return fleet->engine(health); }};
 }

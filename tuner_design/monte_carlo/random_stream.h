@@ -35,6 +35,9 @@ class RandomStream {
     for (std::uint64_t& word : state_) word = mixed(state += golden);
   }
 
+  /// The bare generator; not all zero.
+  explicit RandomStream(const std::array<std::uint64_t, 4>& state) : state_(state) {}
+
   std::uint64_t bits() {
     const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
     const std::uint64_t shifted = state_[1] << 17;
