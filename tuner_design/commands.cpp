@@ -8,11 +8,12 @@
 
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
-#include "monitor/design/model_file.h"
 #include "tuner_design/check_report.h"
 #include "tuner_design/command.h"
 #include "tuner_design/design_report.h"
 #include "tuner_design/design_tuner.h"
+#include "tuner_design/import_command.h"
+#include "tuner_design/import_options.h"
 #include "tuner_design/linearise_command.h"
 
 namespace ehm::bench {
@@ -20,30 +21,37 @@ namespace {
 
 constexpr const char* footer =
     "Exit codes: 0 done, 1 a computation failed, 2 wrong command line or input file; the reason is on stderr.\n"
-    "Chain: linearise (or your own matrices) -> design -> the file that monitor loads.";
+    "Chain: linearise (or your own matrices: JSON, .mat, CSV) -> design -> the file that monitor loads.";
 
 struct DesignArguments {
   std::string model, out;
+  ImportOptions import;
   design::DesignOptions options;
   OutputOptions output;
 };
 
 void design_to_file(const DesignArguments& arguments, const Console& console) {
-  const estimation::LinearModel model = design::read_model(arguments.model);
+  const ImportedModel imported = import_model(arguments.model, arguments.import);
   std::error_code absent;
   if (std::filesystem::equivalent(arguments.model, arguments.out, absent))
     throw design::FileError(arguments.out + ": --out is the model itself; name another file for the design");
   design::Design design;
   try {
-    design = design_tuner(model, arguments.options);
+    design = design_tuner(imported.model, arguments.options);
   } catch (const std::runtime_error& error) {
     throw design::FileError(arguments.model + ": " + error.what());
   }
   design.hash = design::write_design(design, arguments.out);
   print_result(
-      console, arguments.output, [&] { return design_as_json(design); },
+      console, arguments.output,
+      [&] {
+        nlohmann::ordered_json json = design_as_json(design);
+        json["assumed"] = imported.assumed;
+        return json;
+      },
       [&](std::ostream& out) {
         print_design(design, out);
+        print_assumed(imported.assumed, out);
         out << "  written to " << arguments.out << ", hash " << design.hash << '\n';
       });
 }
@@ -52,9 +60,7 @@ void add_design_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<DesignArguments>();
   arguments->options.version = EHM_VERSION;
   CLI::App* command = app.add_subcommand("design", "Tuner, gains and error limits for a linear model");
-  command->add_option("--model", arguments->model, "Linear model file (ehm-linear-model/1)")
-      ->required()
-      ->type_name("M.json");
+  command->add_option("--model", arguments->model, model_help)->required()->type_name("MODEL");
   command->add_option("--out", arguments->out, "Design file to write")->required()->type_name("D.json");
   command
       ->add_option("--qh", arguments->options.qh_percent2,
@@ -65,6 +71,7 @@ void add_design_command(CLI::App& app, Action& run) {
         const bool good = CLI::detail::lexical_cast(text, value) && value >= 1e-12 && value <= 100.0;
         return good ? "" : "'" + text + "' is not a number from 1e-12 to 100 percent^2 per sample";
       });
+  add_import_options(*command, arguments->import);
   add_output_options(*command, arguments->output);
   command->callback(
       [arguments, &run] { run = [arguments](const Console& console) { design_to_file(*arguments, console); }; });
@@ -72,25 +79,25 @@ void add_design_command(CLI::App& app, Action& run) {
 
 struct CheckArguments {
   std::string file;
+  ImportOptions import;
   OutputOptions output;
 };
 
 void check_one(const CheckArguments& arguments, const Console& console) {
-  const CheckedFile file = check_file(arguments.file);
+  const CheckedFile file = check_file(arguments.file, arguments.import);
   print_result(
       console, arguments.output, [&] { return check_as_json(file); },
       [&](std::ostream& out) { print_check(file, out); });
-  try {
-    require_observable(file.observability, file.model.sensors.size() < file.model.health.size());
-  } catch (const std::runtime_error& error) {
-    throw design::FileError(arguments.file + ": " + error.what());
-  }
+  require_observable(file, arguments.file);
 }
 
 void add_check_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand("check", "Validate a linear model or a design file and say what it is");
-  command->add_option("file", arguments->file, "Linear model or design file")->required()->type_name("FILE");
+  command->add_option("file", arguments->file, "A design, or a linear model as JSON, .mat or CSV folder")
+      ->required()
+      ->type_name("FILE");
+  add_import_options(*command, arguments->import);
   add_output_options(*command, arguments->output);
   command->callback(
       [arguments, &run] { run = [arguments](const Console& console) { check_one(*arguments, console); }; });
@@ -105,12 +112,13 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   app.require_subcommand(1);
   app.footer(footer);
   add_linearise_command(app, run);
+  add_import_command(app, run);
   add_design_command(app, run);
   add_check_command(app, run);
   const std::string command = argc > 1 ? argv[1] : "";
   const auto known = app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == command; });
   if (!command.empty() && command.front() != '-' && known.empty()) {
-    err << "tuner_design: unknown command '" << command << "'; allowed are linearise, design, check\n";
+    err << "tuner_design: unknown command '" << command << "'; allowed are linearise, import, design, check\n";
     return 2;
   }
   try {
