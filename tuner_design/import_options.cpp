@@ -1,13 +1,14 @@
 #include "tuner_design/import_options.h"
 
 #include "deploy/files/csv_table.h"
+#include "monitor/design/json_object.h"
 
 namespace ehm::bench {
 namespace {
 
 /// Finite and within the range, which CLI::Range does not ask of NaN.
 CLI::Validator within(double least, double most) {
-  const std::string range = files::shortest(least) + " to " + files::shortest(most);
+  const std::string range = design::shown(least) + " to " + design::shown(most);
   return {[=](const std::string& text) -> std::string {
             const auto value = files::parse_number(text);
             return value && *value >= least && *value <= most ? "" : "'" + text + "' is not a number from " + range;
@@ -16,7 +17,7 @@ CLI::Validator within(double least, double most) {
 }
 
 std::string with_default(const std::string& text, double value) {
-  return text + "; if neither is given: " + files::shortest(value);
+  return text + "; if neither is given: " + design::shown(value);
 }
 
 }  // namespace

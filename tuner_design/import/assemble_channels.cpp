@@ -50,10 +50,10 @@ std::vector<bool> assemble_list(const Variables& given, const Kind& kind, std::s
     channels.push_back({no_name[i] ? kind.letter + std::to_string(i + 1) : names[i],
                         has_unit ? units[i] : (has_trim ? "unknown" : "percent"), has_trim ? trim : 0.0});
   }
-  tell(result, channels, no_name, "names, since " + kind.variable + "_names does not state them");
+  tell(result, channels, no_name, "named so, since " + kind.variable + "_names is not stated");
   tell(result, channels, percent, "in percent of trim already, since neither trim nor unit is stated");
   tell(result, channels, no_trim, "values are deviations from trim, since " + kind.variable + "_trim is not stated");
-  tell(result, channels, no_unit, "unit \"unknown\", since " + kind.variable + "_units does not state it");
+  tell(result, channels, no_unit, "unit \"unknown\", since " + kind.variable + "_units is not stated");
   return percent;
 }
 
@@ -72,10 +72,10 @@ void assemble_health(const Variables& given, bool in_percent, std::size_t size, 
     result.model.health.push_back({no_name[i] ? "h" + std::to_string(i + 1) : names[i], no_unit[i] ? unit : units[i],
                                    std::isfinite(trim) ? trim : 0.0});
   }
-  tell(result, result.model.health, no_name, "names, since health_names does not state them");
+  tell(result, result.model.health, no_name, "named so, since health_names is not stated");
   tell(result, result.model.health, no_unit,
        "columns of L, M, N are per " + std::string(in_percent ? "percent, as the sensors are" : "unit fraction") +
-           ", since health_units does not state it");
+           ", since health_units is not stated");
 }
 
 }  // namespace
@@ -92,10 +92,11 @@ Eigen::VectorXd vector_of(const Variables& given, const std::string& name, Eigen
 }
 
 std::string listed(const std::vector<Channel>& channels, const std::vector<bool>& chosen) {
+  const bool all = std::find(chosen.begin(), chosen.end(), false) == chosen.end();
+  if (all && channels.size() > 3) return channels.front().name + " to " + channels.back().name;
   std::string text;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (!chosen[i]) continue;
-    text += (text.empty() ? "" : ", ") + channels[i].name;
+    if (chosen[i]) text += (text.empty() ? "" : ", ") + channels[i].name;
   }
   return text;
 }

@@ -25,7 +25,7 @@ void assemble_channels(const Variables& given, ImportedModel& result);
 Eigen::VectorXd vector_of(const Variables& given, const std::string& name, Eigen::Index size, const std::string& each,
                           bool allow_scalar = false);
 
-/// "y1, y2" for the channels where `chosen` is true.
+/// "y1, y3" for the channels where `chosen` is true, "y1 to y7" for all of many.
 std::string listed(const std::vector<estimation::Channel>& channels, const std::vector<bool>& chosen);
 
 }  // namespace ehm::bench

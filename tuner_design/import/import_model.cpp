@@ -16,12 +16,12 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path, absent);
 }
 
+bool is_csv_file(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".csv";
+}
+
 /// Our own file states everything.
 ImportedModel import_json(const std::string& path, const ImportOptions& options) {
-  if (std::filesystem::path(path).extension() == ".csv") {
-    throw design::FileError(path +
-                            ": is one matrix; allowed: a folder of them. Name the folder with A.csv, L.csv, ...");
-  }
   refuse_import_options(path, options);
   return {design::read_model(path), design::model_schema, {}};
 }
@@ -29,7 +29,7 @@ ImportedModel import_json(const std::string& path, const ImportOptions& options)
 }  // namespace
 
 bool is_foreign_model(const std::string& path) {
-  return is_folder(path) || is_mat_file(path);
+  return is_folder(path) || is_mat_file(path) || is_csv_file(path);
 }
 
 void refuse_import_options(const std::string& path, const ImportOptions& options) {
@@ -44,6 +44,10 @@ void refuse_import_options(const std::string& path, const ImportOptions& options
 ImportedModel import_model(const std::string& path, const ImportOptions& options) {
   if (is_folder(path)) return assemble_model(read_csv_folder(path), options);
   if (is_mat_file(path)) return assemble_model(read_mat_file(path), options);
+  if (is_csv_file(path)) {
+    throw design::FileError(path +
+                            ": is one matrix; allowed: a folder of them. Name the folder with A.csv, L.csv, ...");
+  }
   return import_json(path, options);
 }
 

@@ -30,7 +30,7 @@ struct ImportedModel {
   std::vector<std::string> assumed;  ///< one sentence each; empty if everything was stated
 };
 
-/// True for what import_model reads but is not JSON: a folder, a MATLAB file.
+/// True for what is not JSON: a folder, a MATLAB file, a CSV file (which is refused: a model is a folder of them).
 bool is_foreign_model(const std::string& path);
 
 /// For files that state everything themselves. @throws design::FileError if an option is set.

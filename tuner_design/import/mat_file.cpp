@@ -1,9 +1,15 @@
 #include "tuner_design/import/mat_file.h"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <fstream>
 #include <memory>
+#include <stdexcept>
+#include <string_view>
 
 #include "deploy/files/file_error.h"
 #include "tuner_design/import/mat_container.h"
@@ -15,6 +21,30 @@ namespace {
 using files::FileError;
 using MatFile = std::unique_ptr<mat_t, decltype(&Mat_Close)>;
 using MatVariable = std::unique_ptr<matvar_t, decltype(&Mat_VarFree)>;
+
+/// A file that is nowhere on a disk, for a library that reads only files.
+class MemoryFile {
+ public:
+  explicit MemoryFile(std::string_view content) : descriptor_(memfd_create("ehm-import", MFD_CLOEXEC)) {
+    while (descriptor_ >= 0 && !content.empty()) {
+      const ssize_t written = ::write(descriptor_, content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) break;
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (descriptor_ >= 0 && content.empty()) return;
+    if (descriptor_ >= 0) ::close(descriptor_);
+    throw std::runtime_error("no memory file can be made for a MATLAB file");
+  }
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
 
 /// What stands at the top level of the file, without its data.
 struct Directory {
@@ -121,14 +151,15 @@ bool is_mat_file(const std::string& path) {
 }
 
 Variables read_mat_file(const std::string& path) {
-  const std::size_t count = count_mat_elements(path);
-  const MatFile file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), &Mat_Close);
+  const MatImage image = read_mat_image(path);
+  const MemoryFile memory(image.bytes);
+  const MatFile file(Mat_Open(memory.path().c_str(), MAT_ACC_RDONLY), &Mat_Close);
   if (!file) throw FileError(path + ": cannot be opened as a MATLAB v5 file. Save it again with -v7.");
   Variables result;
   result.path = path;
   result.source = path;
   result.format = "MATLAB v5 file";
-  take_all(file.get(), read_directory(file.get(), path, count), result);
+  take_all(file.get(), read_directory(file.get(), path, image.variables), result);
   return result;
 }
 
