@@ -44,7 +44,7 @@ bool check_header(std::string_view file, const std::string& path) {
   if ((little || order == "MI") && version == 0x0100) return little;
   const bool hdf5 = file.starts_with("\x89HDF") || version == 0x0200;
   throw FileError(path + ": is " + (hdf5 ? "a MATLAB v7.3 (HDF5) file" : "no MATLAB v5 file") +
-                  "; allowed: what save writes with -v6 or -v7. Save it again: save('-v7', 'model.mat', ...).");
+                  "; allowed: what save writes with -v6 or -v7. Save it again: save('engine.mat', 'A', ..., '-v7').");
 }
 
 [[noreturn]] void refuse_size(const std::string& path) {
