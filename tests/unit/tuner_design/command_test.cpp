@@ -103,7 +103,8 @@ TEST(Command, WrongFilesExitWithTwoAndName) {
 TEST(Command, WrongUsageExitsWithTwo) {
   EXPECT_EQ(run({}).code, 2);
   EXPECT_EQ(run({"fly"}).code, 2);
-  EXPECT_EQ(run({"desing"}).err, "tuner_design: unknown command 'desing'; allowed are linearise, import, design, check\n");
+  EXPECT_EQ(run({"desing"}).err,
+            "tuner_design: unknown command 'desing'; allowed are linearise, import, design, check\n");
   EXPECT_EQ(run({"design", "--model", "m", "--out", "d", "--qh", "1e6"}).code, 2);
   EXPECT_EQ(run({"design"}).code, 2);
   for (const char* qh : {"-1", "0", "nan", "inf", "fast"}) {
