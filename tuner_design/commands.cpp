@@ -9,11 +9,13 @@
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
 #include "monitor/design/model_file.h"
+#include "tuner_design/baselines/baselines_command.h"
 #include "tuner_design/check_report.h"
 #include "tuner_design/command.h"
 #include "tuner_design/design_report.h"
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/linearise_command.h"
+#include "tuner_design/sensors/sensors_command.h"
 
 namespace ehm::bench {
 namespace {
@@ -107,10 +109,12 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   add_linearise_command(app, run);
   add_design_command(app, run);
   add_check_command(app, run);
+  add_baselines_command(app, run);
+  add_sensors_command(app, run);
   const std::string command = argc > 1 ? argv[1] : "";
   const auto known = app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == command; });
   if (!command.empty() && command.front() != '-' && known.empty()) {
-    err << "tuner_design: unknown command '" << command << "'; allowed are linearise, design, check\n";
+    err << "tuner_design: unknown command '" << command << "'; allowed are linearise, design, check, baselines, sensors\n";
     return 2;
   }
   try {

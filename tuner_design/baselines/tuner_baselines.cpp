@@ -1,4 +1,4 @@
-#include "tuner_design/baselines.h"
+#include "tuner_design/baselines/tuner_baselines.h"
 
 #include <Eigen/SVD>
 #include <algorithm>
