@@ -4,7 +4,8 @@
 
 namespace ehm::estimation {
 
-TimeVaryingFilter::TimeVaryingFilter(const FullOrderModel& model) : model_(model) {
+TimeVaryingFilter::TimeVaryingFilter(const FullOrderModel& model)
+    : model_(model), outputs_(model.sensor_output.transpose()) {
   reset();
 }
 
@@ -14,6 +15,7 @@ void TimeVaryingFilter::reset() noexcept {
   measured_.setZero(model_.D.rows());
   innovation_ = measured_;
   innovation_variance_ = measured_;
+  gain_.setZero(model_.prior.rows());
   actuators_.setZero(model_.D.cols());
   read_out();
 }
@@ -51,8 +53,8 @@ void TimeVaryingFilter::innovation(const SensorVector& dy, const ActuatorVector&
   innovation_ -= model_.sensor_output.lazyProduct(estimate_);
   // diag(c P c^T) + R
   for (Eigen::Index i = 0; i < innovation_variance_.size(); ++i) {
-    gain_.noalias() = covariance_.lazyProduct(model_.sensor_output.row(i).transpose());
-    innovation_variance_(i) = model_.sensor_output.row(i).dot(gain_) + model_.sensor_noise_variance(i);
+    project(i);
+    innovation_variance_(i) = outputs_.col(i).dot(gain_) + model_.sensor_noise_variance(i);
   }
 }
 
@@ -64,16 +66,22 @@ void TimeVaryingFilter::update(SensorMask fused) noexcept {
 }
 
 void TimeVaryingFilter::fuse(Eigen::Index sensor) noexcept {
-  const auto c = model_.sensor_output.row(sensor);
+  const auto c = outputs_.col(sensor);
   // s = c P c^T + r,  b = P c^T / sqrt(s)
-  gain_.noalias() = covariance_.lazyProduct(c.transpose());
+  project(sensor);
   const double root = std::sqrt(c.dot(gain_) + model_.sensor_noise_variance(sensor));
   gain_ /= root;
   // xhat <- xhat + b (y - D u - c xhat) / sqrt(s)
   const double residual = measured_(sensor) - c.dot(estimate_);
   estimate_ += gain_ * (residual / root);
   // P <- P - b b^T, symmetric because b_i b_j = b_j b_i also in floating point
-  covariance_.noalias() -= gain_.lazyProduct(gain_.transpose());
+  for (Eigen::Index j = 0; j < gain_.size(); ++j) covariance_.col(j) -= gain_ * gain_(j);
+}
+
+void TimeVaryingFilter::project(Eigen::Index sensor) noexcept {
+  // P c^T by columns, which lie together in memory
+  gain_.setZero();
+  for (Eigen::Index j = 0; j < gain_.size(); ++j) gain_ += covariance_.col(j) * outputs_(j, sensor);
 }
 
 HealthVector TimeVaryingFilter::health_variance() const noexcept {

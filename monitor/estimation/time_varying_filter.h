@@ -45,9 +45,11 @@ class TimeVaryingFilter {
 
  private:
   void fuse(Eigen::Index sensor) noexcept;
+  void project(Eigen::Index sensor) noexcept;
   void read_out() noexcept;
 
   FullOrderModel model_;
+  BoundedMatrix<max_augmented, max_sensors> outputs_;          ///< [C M]^T: a column for each sensor
   AugmentedVector estimate_, gain_;                            ///< [x; h], b
   StateVector state_;                                          ///< the next x, before it replaces the present one
   FullOrderCovariance covariance_;                             ///< P
