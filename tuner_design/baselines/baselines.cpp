@@ -9,7 +9,7 @@
 
 #include "tuner_design/baselines/best_subset.h"
 #include "tuner_design/baselines/tuner_baselines.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/choose_tuners.h"
 #include "tuner_design/discretise.h"
 #include "tuner_design/full_order/gauss_markov.h"
 #include "tuner_design/full_order/limit_after.h"
@@ -71,9 +71,9 @@ Baseline of_filter(std::string name, std::string description, const design::Subs
   return {std::move(name), std::move(description), linear_error(filter), filter.slowest_time_constant_s};
 }
 
-void add_best_subset(std::vector<Baseline>& table, const Setting& setting, const BaselineOptions& options) {
-  const RelativeError merit =
-      relative_error(setting.model, setting.steady, options.health_weight, options.auxiliary_weight);
+void add_best_subset(std::vector<Baseline>& table, const Setting& setting, const design::ErrorWeights& weights,
+                     const BaselineOptions& options) {
+  const RelativeError merit = relative_error(setting.model, setting.steady, weights);
   const auto best = best_subset(setting.model, setting.steady, static_cast<int>(setting.tuners), setting.qh, merit,
                                 options.threads, options.progress);
   if (!best) return;
@@ -103,12 +103,13 @@ void add_named_subset(std::vector<Baseline>& table, const Setting& setting, cons
   table.push_back(of_filter("named_subset", "subset as named: " + joined(names), *filter));
 }
 
-void add_reduced(std::vector<Baseline>& table, const Setting& setting, const BaselineOptions& options) {
+void add_reduced(std::vector<Baseline>& table, const Setting& setting, const design::ErrorWeights& weights,
+                 const BaselineOptions& options) {
   const Eigen::MatrixXd R = setting.model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
   const Eigen::MatrixXd V = closed_form_tuners(setting.steady.H, R, setting.model.health_sigma, setting.tuners);
   if (const auto filter = filter_on_tuners(setting.model, setting.steady, V, setting.qh))
     table.push_back(of_filter("closed_form", "Kalman filter on V = H Ph", *filter));
-  add_best_subset(table, setting, options);
+  add_best_subset(table, setting, weights, options);
   add_published_subset(table, setting);
   const Eigen::MatrixXd svd = svd_tuners(setting.steady.H, setting.steady.Hz, setting.tuners);
   if (const auto filter = filter_on_tuners(setting.model, setting.steady, svd, setting.qh))
@@ -155,7 +156,7 @@ std::vector<Baseline> baselines(const Design& design, const BaselineOptions& opt
   std::vector<Baseline> table;
   table.push_back({"design", "this design, " + std::to_string(setting.tuners) + " tuners", design.ssee,
                    design.full.slowest_time_constant_s});
-  if (setting.tuners < design.full.V.cols()) add_reduced(table, setting, options);
+  if (setting.tuners < design.full.V.cols()) add_reduced(table, setting, design.options.weights, options);
   add_named_subset(table, setting, options.named_subset);
   table.push_back({"full_map", "full-order MAP on one noisy snapshot", design.full_map, std::nullopt});
   add_gauss_markov(table, setting);

@@ -4,7 +4,7 @@
 //
 //   design            the design itself
 //   closed_form       Kalman filter on V = H Ph (on the strongest t rows of it where the design has fewer tuners)
-//   best_subset       on the t health parameters that serve best, all C(p, t) tried (best_subset.h)
+//   best_subset       on the t health parameters that serve best by the design's own weights, all C(p, t) tried
 //   published_subset  on the seven of [SG] table 3: all but fan efficiency, LPC flow and LPT efficiency; only where the
 //                     model has them by name ("FAN_flow" and "fan_flow", "HPT_eff" and "hpt_efficiency" are the same)
 //   named_subset      on those that the user names
@@ -38,7 +38,6 @@ struct Baseline {
 struct BaselineOptions {
   std::vector<std::string> named_subset;
   double run_s = 30.0;
-  double health_weight = 1.0, auxiliary_weight = 1.0;  ///< of the relative error that picks best_subset
   unsigned threads = 1;
   std::function<void(std::size_t)> progress = [](std::size_t) {};  ///< number of subsets done
 };

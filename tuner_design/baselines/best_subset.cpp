@@ -13,6 +13,7 @@
 #include "tuner_design/kalman_gain.h"
 #include "tuner_design/map_estimator.h"
 #include "tuner_design/observability.h"
+#include "tuner_design/prepared_point.h"
 
 namespace ehm::bench {
 namespace {
@@ -29,12 +30,10 @@ Eigen::MatrixXd chosen_rows(const std::vector<int>& health, Eigen::Index p) {
 std::optional<design::SubsetDesign> filter_on_tuners(const estimation::LinearModel& model,
                                                      const estimation::SteadyGain& steady, const Eigen::MatrixXd& V,
                                                      double qh_percent2) {
-  std::vector<int> all(model.sensors.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
   const Eigen::MatrixXd seen = model.sensor_noise_sigma.cwiseInverse().asDiagonal() * steady.H * right_inverse(V);
   if (seen_rank(Eigen::JacobiSVD<Eigen::MatrixXd>(seen).singularValues()) < V.rows()) return std::nullopt;
   try {
-    design::SubsetDesign filter = kalman_gain(model, all, V, qh_percent2);
+    design::SubsetDesign filter = kalman_gain(model, all_sensors(model), V, qh_percent2);
     add_error_theory(filter, model, steady);
     return filter;
   } catch (const std::runtime_error&) {  // told apart so badly that the solvers lose their digits

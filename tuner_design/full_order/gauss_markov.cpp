@@ -5,12 +5,12 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "tuner_design/kalman_error.h"
 #include "tuner_design/lyapunov.h"
 #include "tuner_design/observability.h"
+#include "tuner_design/prepared_point.h"
 #include "tuner_design/riccati.h"
 
 namespace ehm::bench {
@@ -57,8 +57,7 @@ design::SubsetDesign gauss_markov_design(const estimation::LinearModel& model, c
   }
   const Eigen::Index n = model.A.rows(), p = model.L.cols();
   design::SubsetDesign design;
-  design.sensors.resize(model.sensors.size());
-  std::iota(design.sensors.begin(), design.sensors.end(), 0);
+  design.sensors = all_sensors(model);
   design.V.setIdentity(p, p);
   design.W = design.V;
   design.A = rho * Eigen::MatrixXd::Identity(n + p, n + p);

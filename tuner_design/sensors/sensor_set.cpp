@@ -3,14 +3,14 @@
 #include <Eigen/SVD>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "monitor/estimation/scaling.h"
-#include "tuner_design/design_tuner.h"
-#include "tuner_design/discretise.h"
+#include "tuner_design/choose_tuners.h"
 #include "tuner_design/kalman_error.h"
 #include "tuner_design/kalman_gain.h"
 #include "tuner_design/observability.h"
+#include "tuner_design/prepared_point.h"
 
 namespace ehm::bench {
 namespace {
@@ -21,14 +21,6 @@ std::vector<int> indices(CandidateSet set) {
     if ((set >> static_cast<unsigned>(i) & 1U) != 0) result.push_back(i);
   }
   return result;
-}
-
-/// N of design_tuner.h: what a long average of these sensors still gets wrong.
-Eigen::MatrixXd lasting_noise(const estimation::LinearModel& model, const std::vector<int>& sensors) {
-  constexpr double averaging = 1.0 / 256.0;
-  const Eigen::MatrixXd R = model.sensor_noise_sigma(sensors).cwiseAbs2().asDiagonal();
-  if (model.linearisation_error.size() == 0) return R;
-  return model.linearisation_error(sensors, sensors) + averaging * R;
 }
 
 bool within_prior(const design::SubsetDesign& filter, const estimation::LinearModel& model) {
@@ -59,16 +51,17 @@ int seen_combinations(const SensorProblem& problem, const std::vector<int>& sens
 
 }  // namespace
 
-SensorProblem sensor_problem(const estimation::LinearModel& model, double qh_percent2, double health_weight,
-                             double auxiliary_weight) {
+SensorProblem sensor_problem(const estimation::LinearModel& model, double qh_percent2,
+                             const design::ErrorWeights& weights) {
   if (model.sensors.size() > static_cast<std::size_t>(max_candidates)) {
     throw std::invalid_argument("sensors: " + std::to_string(model.sensors.size()) + " candidates; allowed: at most " +
                                 std::to_string(max_candidates));
   }
   SensorProblem problem;
-  problem.model = estimation::scaled(discretise(model), estimation::scaling_of(model));
-  problem.steady = estimation::steady_gain(problem.model);
-  problem.merit = relative_error(problem.model, problem.steady, health_weight, auxiliary_weight);
+  PreparedPoint point = prepare(model);
+  problem.model = std::move(point.model);
+  problem.steady = std::move(point.steady);
+  problem.merit = relative_error(problem.model, problem.steady, weights);
   problem.qh_percent2 = qh_percent2;
   return problem;
 }

@@ -33,10 +33,11 @@ struct SensorSetValue {
   double slowest_time_constant_s = 0.0;
 };
 
-/// `model` has passed design::check_model, but may have up to 20 sensors. Weights: see relative_error.h.
-/// @throws std::invalid_argument if it has more; std::runtime_error if it has no steady state.
-SensorProblem sensor_problem(const estimation::LinearModel& model, double qh_percent2, double health_weight = 1.0,
-                             double auxiliary_weight = 1.0);
+/// `model` has passed design::check_model, but may have up to 20 sensors.
+/// @throws std::invalid_argument if it has more; std::runtime_error if it has no steady state; what
+///         make_point_problem throws of the weights.
+SensorProblem sensor_problem(const estimation::LinearModel& model, double qh_percent2,
+                             const design::ErrorWeights& weights = {});
 
 /// J of the fleet itself, without any sensor.
 double fleet_merit(const SensorProblem& problem);

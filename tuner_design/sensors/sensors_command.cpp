@@ -8,6 +8,7 @@
 #include "deploy/work/parallel_for.h"
 #include "monitor/design/file_error.h"
 #include "monitor/design/model_file.h"
+#include "tuner_design/design_command.h"
 #include "tuner_design/sensors/sensor_costs.h"
 #include "tuner_design/sensors/sensor_report.h"
 
@@ -17,19 +18,11 @@ namespace {
 struct Arguments {
   std::string model, csv;
   std::vector<std::string> costs, keep;
-  double qh_percent2 = 1e-3, weight_health = 1.0, weight_auxiliary = 1.0;
+  double qh_percent2 = design::DesignOptions{}.qh_percent2;
+  WeightArguments weights;
   SensorChoice choice;
   OutputOptions output;
 };
-
-/// Not a number is refused too, which CLI::Range lets pass.
-auto number_within(double low, double high) {
-  return [low, high](const std::string& text) -> std::string {
-    const auto value = files::parse_number(text);
-    if (value && *value >= low && *value <= high) return "";
-    return "'" + text + "' is not a number from " + files::shortest(low) + " to " + files::shortest(high);
-  };
-}
 
 SensorChoice choice_of(const Arguments& arguments, const std::vector<estimation::Channel>& sensors) {
   SensorChoice choice = arguments.choice;
@@ -39,12 +32,19 @@ SensorChoice choice_of(const Arguments& arguments, const std::vector<estimation:
   return choice;
 }
 
+SensorProblem problem_of(const Arguments& arguments, const estimation::LinearModel& model) {
+  try {
+    return sensor_problem(model, arguments.qh_percent2, weights_of(arguments.weights, model));
+  } catch (const std::invalid_argument& error) {
+    throw design::FileError(arguments.model + ": " + error.what());
+  }
+}
+
 void select(const Arguments& arguments, const Console& console) {
   const estimation::LinearModel model = design::read_model(arguments.model, max_candidates);
   SensorReport report;
   report.choice = choice_of(arguments, model.sensors);
-  const SensorProblem problem =
-      sensor_problem(model, arguments.qh_percent2, arguments.weight_health, arguments.weight_auxiliary);
+  const SensorProblem problem = problem_of(arguments, model);
   work::ProgressBar bar = progress_bar(console, arguments.output, std::size_t{problem.every()});
   report.front = sensor_front(problem, report.choice, work::all_cores(),
                               [&](std::size_t done, std::size_t total) { bar.show(problem.every() - (total - done)); });
@@ -74,18 +74,15 @@ void add_sensors_command(CLI::App& app, Action& run) {
   command->add_option("--cost", arguments->costs, "NAME=VALUE, or a CSV file with the columns sensor,cost; default 1")
       ->type_name("COST");
   command->add_option("--keep", arguments->keep, "Sensor that every set must have")->type_name("NAME");
-  command->add_option("--budget", arguments->choice.budget, "Largest cost of a set")->check(number_within(0.0, 1e300));
+  command->add_option("--budget", arguments->choice.budget, "Largest cost of a set")
+      ->check([](const std::string& text) -> std::string {
+        const auto budget = files::parse_number(text);
+        return budget && *budget >= 0.0 ? "" : "'" + text + "' is not a finite number, 0 or above";
+      });
   command->add_option("--max-sensors", arguments->choice.max_sensors, "Largest number of sensors of a set")
       ->check(CLI::Range(1, max_candidates));
-  command->add_option("--qh", arguments->qh_percent2, "Process noise of each health parameter, percent^2 per sample")
-      ->check(number_within(1e-12, 100.0))
-      ->capture_default_str();
-  command->add_option("--weight-health", arguments->weight_health, "Weight of SSEE(h) over its limit in J")
-      ->check(number_within(0.0, 1e6))
-      ->capture_default_str();
-  command->add_option("--weight-auxiliary", arguments->weight_auxiliary, "Weight of SSEE(z) over its limit in J")
-      ->check(number_within(0.0, 1e6))
-      ->capture_default_str();
+  add_qh_option(*command, arguments->qh_percent2);
+  add_weight_options(*command, arguments->weights);
   command->add_option("--csv", arguments->csv, "Front to write")->type_name("F.csv");
   add_output_options(*command, arguments->output);
   command->callback([arguments, &run] { run = [arguments](const Console& console) { select(*arguments, console); }; });

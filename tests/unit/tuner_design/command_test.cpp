@@ -49,7 +49,8 @@ TEST(Command, DesignIsDeterministic) {
 TEST(Command, DesignTableNamesEveryChannel) {
   const Result result = run({"design", "--model", model_on_disk(), "--out", test::temporary_path("t.json")});
   ASSERT_EQ(result.code, 0) << result.err;
-  for (const char* text : {"T40", "Fn", "h5", "closed form, V = H Ph", "without sensor", "slowest time constant"}) {
+  for (const char* text : {"T40", "Fn", "h5", "search for the least error of the Kalman filter",
+                           "Certificate: at an optimum", "without sensor", "slowest time constant"}) {
     EXPECT_THAT(result.out, HasSubstr(text));
   }
 }
@@ -91,8 +92,9 @@ TEST(Command, WrongFilesExitWithTwoAndName) {
 TEST(Command, WrongUsageExitsWithTwo) {
   EXPECT_EQ(run({}).code, 2);
   EXPECT_EQ(run({"fly"}).code, 2);
-  EXPECT_EQ(run({"desing"}).err,
-            "tuner_design: unknown command 'desing'; allowed are linearise, design, check, baselines, sensors\n");
+  EXPECT_EQ(
+      run({"desing"}).err,
+      "tuner_design: unknown command 'desing'; allowed are linearise, design, sweep, check, baselines, sensors\n");
   EXPECT_EQ(run({"design", "--model", "m", "--out", "d", "--qh", "1e6"}).code, 2);
   EXPECT_EQ(run({"design"}).code, 2);
   for (const char* qh : {"-1", "0", "nan", "inf", "fast"}) {

@@ -137,9 +137,11 @@ TEST(SensorsCommand, MistakesExitWithTwoAndName) {
   expect({"--cost", "/nonexistent/costs.csv"}, "/nonexistent/costs.csv");
   expect({"--keep", "wing"}, "--keep wing: unknown sensor 'wing'");
   expect({"--keep", "N1", "--budget", "0.5"}, "allow no set of sensors");
-  expect({"--qh", "nan"}, "'nan' is not a number from");
-  expect({"--budget", "-1"}, "'-1' is not a number from");
+  expect({"--qh", "nan"}, "'nan' is not a number from 1e-12 to 100");
+  expect({"--budget", "-1"}, "'-1' is not a finite number, 0 or above");
   expect({"--max-sensors", "0"}, "--max-sensors");
+  expect({"--weight-health", "0", "--weight-auxiliary", "0"}, "all are zero");
+  expect({"--weight", "wing=2"}, "no auxiliary output 'wing'");
   const std::string file = test::temporary_path("wrong_costs.csv");
   for (const auto& [content, text] : std::vector<std::pair<std::string, std::string>>{
            {"sensor,price\ny3,7\n", ":1: the columns are to be sensor and cost"},

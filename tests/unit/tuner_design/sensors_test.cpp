@@ -153,7 +153,9 @@ TEST(SensorSetValue, IsWhatADesignOnTheseSensorsPublishes) {
   part.C = Eigen::MatrixXd(model.C(some, Eigen::all));
   part.D = Eigen::MatrixXd(model.D(some, Eigen::all));
   part.M = Eigen::MatrixXd(model.M(some, Eigen::all));
-  const design::Design design = design_tuner(part, {});
+  design::DesignOptions options;
+  options.tuning = design::Tuning::closed_form;
+  const design::Design design = design_tuner(part, options);
   const auto value = value_of(problem, 0b01101);
   ASSERT_TRUE(value);
   EXPECT_EQ(value->tuners, 3);

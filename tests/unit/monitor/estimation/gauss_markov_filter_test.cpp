@@ -21,7 +21,12 @@ namespace {
 
 class GaussMarkov : public ::testing::Test {
  protected:
-  const design::Design tuners = bench::design_tuner(test::made_up_model(4, 6), {});
+  static design::Design closed_form() {
+    design::DesignOptions options;
+    options.tuning = design::Tuning::closed_form;
+    return bench::design_tuner(test::made_up_model(4, 6), options);
+  }
+  const design::Design tuners = closed_form();
   const LinearModel model = scaled(tuners.model, tuners.scaling);
   const SteadyGain steady = steady_gain(model);
   const double rho = bench::gauss_markov_rho(model, tuners.options.qh_percent2);
