@@ -5,21 +5,11 @@
 #include <Eigen/SVD>
 #include <stdexcept>
 
-#include "tuner_design/baselines.h"
+#include "tuner_design/baselines/tuner_baselines.h"
 #include "tuner_design/search/row_space.h"
 
 namespace ehm::bench {
 namespace {
-
-/// N: the sensors' part of the linearisation error and the noise after some 4 s of samples; R where the former is
-/// unknown.
-Eigen::MatrixXd lasting_noise(const estimation::LinearModel& model, const std::vector<int>& sensors) {
-  constexpr double averaging = 1.0 / 256.0;
-  const Eigen::VectorXd sigma = model.sensor_noise_sigma(sensors);
-  const Eigen::MatrixXd R = sigma.cwiseAbs2().asDiagonal();
-  if (model.linearisation_error.size() == 0) return R;
-  return model.linearisation_error(sensors, sensors) + averaging * R;
-}
 
 /// Row space nearest to several of one dimension: the t strongest directions of the weighted sum of their projectors.
 Eigen::MatrixXd mean_row_space(const std::vector<NamedTuners>& spaces, const std::vector<double>& weights) {
@@ -48,6 +38,14 @@ std::vector<NamedTuners> starts_of(const Envelope& envelope, const std::vector<i
 }
 
 }  // namespace
+
+Eigen::MatrixXd lasting_noise(const estimation::LinearModel& model, const std::vector<int>& sensors) {
+  constexpr double averaging = 1.0 / 256.0;
+  const Eigen::VectorXd sigma = model.sensor_noise_sigma(sensors);
+  const Eigen::MatrixXd R = sigma.cwiseAbs2().asDiagonal();
+  if (model.linearisation_error.size() == 0) return R;
+  return model.linearisation_error(sensors, sensors) + averaging * R;
+}
 
 Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::MatrixXd& noise,
                                    const Eigen::VectorXd& health_sigma, Eigen::Index t) {

@@ -16,6 +16,10 @@
 
 namespace ehm::bench {
 
+/// N of the closed form, |S| x |S|: the sensors' part of the linearisation error and the noise after some 4 s of
+/// samples; R where the former is unknown.
+Eigen::MatrixXd lasting_noise(const estimation::LinearModel& model, const std::vector<int>& sensors);
+
 /// Closed form for the sensors with steady gain H (|S| x p), t x p with orthonormal rows: V = I for t = p, else the row
 /// space of U_t^T N^-1/2 H Ph with U_t the t strongest left singular vectors of N^-1/2 H Ph^1/2, which for t = |S| is
 /// that of H Ph. `noise` is N, |S| x |S|, what a long average of these sensors still gets wrong.

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "monitor/design/file_error.h"
+#include "tuner_design/baselines/baselines_command.h"
 #include "tuner_design/check_report.h"
 #include "tuner_design/command.h"
 #include "tuner_design/design_command.h"
@@ -12,6 +13,7 @@
 #include "tuner_design/import_options.h"
 #include "tuner_design/linearise_command.h"
 #include "tuner_design/monte_carlo/evaluate_command.h"
+#include "tuner_design/sensors/sensors_command.h"
 #include "tuner_design/studies/study_command.h"
 #include "tuner_design/sweep_command.h"
 
@@ -63,6 +65,8 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   add_evaluate_command(app, run);
   add_study_command(app, run);
   add_check_command(app, run);
+  add_baselines_command(app, run);
+  add_sensors_command(app, run);
   const std::string command = argc > 1 ? argv[1] : "";
   const auto known = app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == command; });
   if (!command.empty() && command.front() != '-' && known.empty()) {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
-#include <sstream>
 
 #include "monitor/design/certificate_json.h"
 #include "monitor/design/options_json.h"
 #include "tuner_design/certificate_report.h"
 #include "tuner_design/design_tuner.h"
+#include "tuner_design/error_text.h"
 #include "tuner_design/search/row_space.h"
 
 namespace ehm::bench {
@@ -19,12 +19,6 @@ using Json = nlohmann::ordered_json;
 using design::Design;
 using design::SubsetDesign;
 using estimation::Channel;
-
-Json errors_as_json(const Eigen::VectorXd& errors, const std::vector<Channel>& channels) {
-  Json by_channel = Json::object();
-  for (std::size_t i = 0; i < channels.size(); ++i) by_channel[channels[i].name] = errors(static_cast<Eigen::Index>(i));
-  return {{"total", errors.sum()}, {"by_channel", std::move(by_channel)}};
-}
 
 Json rows(const Eigen::MatrixXd& matrix) {
   Json result = Json::array();
@@ -70,13 +64,6 @@ Json missing_as_json(const Design& design) {
         {"slowest_time_constant_s", subset.slowest_time_constant_s}};
   }
   return result;
-}
-
-/// Five significant digits, in a column.
-std::string figure(double value, int width = 11) {
-  std::ostringstream text;
-  text << std::setw(width) << std::setprecision(5) << value;
-  return text.str();
 }
 
 std::string ratio(double ssee, double limit) {

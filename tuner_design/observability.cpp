@@ -20,6 +20,12 @@ std::vector<std::string> named(const Eigen::VectorXd& direction, const std::vect
 
 }  // namespace
 
+int seen_rank(const Eigen::VectorXd& singular_values) {
+  const double least = Observability::relative_tolerance * singular_values.maxCoeff();
+  return static_cast<int>(std::count_if(singular_values.begin(), singular_values.end(),
+                                        [&](double value) { return value > 0.0 && value > least; }));
+}
+
 Observability steady_observability(const estimation::LinearModel& model, const Eigen::MatrixXd& H) {
   // Hs = R^-1/2 H Ph^1/2
   const Eigen::MatrixXd Hs = model.sensor_noise_sigma.cwiseInverse().asDiagonal() * H * model.health_sigma.asDiagonal();
@@ -29,9 +35,7 @@ Observability steady_observability(const estimation::LinearModel& model, const E
   result.needed_rank = static_cast<int>(std::min(H.rows(), H.cols()));
   const double largest = result.singular_values(0);
   const double least = result.singular_values(result.needed_rank - 1);
-  for (const double value : result.singular_values) {
-    if (value > 0.0 && value > Observability::relative_tolerance * largest) ++result.rank;
-  }
+  result.rank = seen_rank(result.singular_values);
   result.condition = least > 0.0 ? largest / least : std::numeric_limits<double>::infinity();
   if (!result.sufficient()) {
     const bool few_sensors = H.rows() < H.cols();

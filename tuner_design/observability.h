@@ -24,6 +24,9 @@ struct Observability {
   [[nodiscard]] bool sufficient() const noexcept { return rank == needed_rank; }
 };
 
+/// Number of singular values that count: above zero and `relative_tolerance` of the largest.
+int seen_rank(const Eigen::VectorXd& singular_values);
+
 /// `model` is scaled, H its steady gain, both with the rows of the same sensors.
 Observability steady_observability(const estimation::LinearModel& model, const Eigen::MatrixXd& H);
 

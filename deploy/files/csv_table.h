@@ -41,6 +41,9 @@ std::optional<double> parse_number(std::string_view text);
 /// The shortest text that reads back as the same number.
 std::string shortest(double value);
 
+/// A text as one cell, in quotes where it must be.
+std::string csv_cell(std::string_view text);
+
 /// A user's text as messages repeat it: in quotes, unprintable characters replaced, long text cut.
 std::string in_quotes(std::string_view text);
 

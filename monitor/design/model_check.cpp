@@ -6,7 +6,6 @@
 
 #include "monitor/design/file_error.h"
 #include "monitor/design/json_object.h"
-#include "monitor/estimation/capacity.h"
 #include "monitor/estimation/scaling.h"
 
 namespace ehm::design {
@@ -151,12 +150,12 @@ void check_health_sigma(const LinearModel& model, const std::string& file) {
 
 }  // namespace
 
-void check_model(const LinearModel& model, const std::string& file) {
+void check_model(const LinearModel& model, const std::string& file, int sensor_capacity) {
   namespace cap = estimation;
   check_channels(model.states, "states", 1, cap::max_states, file);
   check_channels(model.controls, "controls", 0, cap::max_actuators, file);
   check_channels(model.health, "health", 1, cap::max_health, file);
-  check_channels(model.sensors, "sensors", 1, cap::max_sensors, file);
+  check_channels(model.sensors, "sensors", 1, sensor_capacity, file);
   check_channels(model.auxiliary, "auxiliary", 0, cap::max_auxiliary, file);
   if (!(model.sample_time_s > 0.0) || !std::isfinite(model.sample_time_s)) {
     throw_defect(file, "sample_time_s", shown(model.sample_time_s), "a number above 0",

@@ -6,8 +6,8 @@
 
 namespace ehm::design {
 
-estimation::LinearModel read_model(const std::string& path) {
-  return model_from_json(parse_json_file(path), path, "");
+estimation::LinearModel read_model(const std::string& path, int sensor_capacity) {
+  return model_from_json(parse_json_file(path), path, "", sensor_capacity);
 }
 
 void write_model(const estimation::LinearModel& model, const std::string& path) {

@@ -9,14 +9,16 @@
 
 #include <string>
 
+#include "monitor/estimation/capacity.h"
 #include "monitor/estimation/linear_model.h"
 
 namespace ehm::design {
 
 inline constexpr const char* model_schema = "ehm-linear-model/1";
 
+/// `sensor_capacity`: a list of candidate sensors may be longer than what a design holds.
 /// @throws FileError (one message: file, key, value, allowed, what to do) for every defect of the file or of the model.
-estimation::LinearModel read_model(const std::string& path);
+estimation::LinearModel read_model(const std::string& path, int sensor_capacity = estimation::max_sensors);
 
 /// Writes atomically (temporary file, rename).
 /// @throws FileError if the file cannot be written or the model has a defect.

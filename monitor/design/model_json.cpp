@@ -70,7 +70,7 @@ void read_matrices(JsonObject& object, LinearModel& model) {
 
 }  // namespace
 
-LinearModel model_from_json(const Json& json, const std::string& file, const std::string& path) {
+LinearModel model_from_json(const Json& json, const std::string& file, const std::string& path, int sensor_capacity) {
   JsonObject object(json, file, path);
   const std::string schema = object.text("schema");
   if (schema != model_schema) {
@@ -94,7 +94,7 @@ LinearModel model_from_json(const Json& json, const std::string& file, const std
   model.auxiliary = read_channels(object, "auxiliary", nullptr, nullptr);
   read_matrices(object, model);
   object.refuse_unknown();
-  check_model(model, file);
+  check_model(model, file, sensor_capacity);
   return model;
 }
 

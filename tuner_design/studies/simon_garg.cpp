@@ -4,7 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "tuner_design/baselines.h"
+#include "tuner_design/baselines/tuner_baselines.h"
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/search/tuner_search.h"
 
@@ -30,21 +30,12 @@ Eigen::MatrixXd searched(const PreparedPoint& point, const design::ErrorWeights&
   return search_tuners(problem, options).V;
 }
 
-/// The subset of the paper by the engine's own names: all but the fan's efficiency, the LPC's flow and the LPT's
-/// efficiency; nothing where the model has not ten health parameters.
-std::vector<std::string> paper_subset(const estimation::LinearModel& model) {
-  constexpr std::array<std::size_t, 7> kept{1, 2, 4, 5, 6, 7, 9};
-  std::vector<std::string> names;
-  if (model.health.size() != 10 || model.sensors.size() != kept.size()) return names;
-  for (const std::size_t i : kept) names.push_back(model.health[i].name);
-  return names;
-}
-
 std::vector<Row> rows_of(const PreparedPoint& point, const SimonGargOptions& options) {
   std::vector<Row> rows;
   const bool kalman = options.table >= 6;
-  const auto subset = paper_subset(point.model);
-  if (kalman && !subset.empty()) rows.push_back({"subset of 7", "", subset_tuners(point.model, subset)});
+  const auto subset = published_subset(point.model);
+  if (kalman && subset.size() == point.model.sensors.size())
+    rows.push_back({"subset of " + std::to_string(subset.size()), "", subset_tuners(point.model, subset)});
   for (int i = 0; i < 8; ++i) {
     const bool health = i < 4;
     const design::ErrorWeights weights{health ? 1.0 : 0.0, health ? 0.0 : 1.0, {}};

@@ -1,17 +1,15 @@
 // The command line: exit codes 0, 1, 2 and what is printed where.
 
-#include "tuner_design/commands.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "monitor/design/design_file.h"
 #include "monitor/design/model_file.h"
+#include "tests/unit/tuner_design/run_command.h"
 #include "tests/unit/tuner_design/test_models.h"
 
 namespace ehm::bench {
@@ -20,18 +18,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-struct Result {
-  int code;
-  std::string out, err;
-};
-
-Result run(std::vector<std::string> arguments) {
-  std::vector<const char*> argv{"tuner_design"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  std::ostringstream out, err;
-  const int code = run_tuner_design(static_cast<int>(argv.size()), argv.data(), out, err);
-  return {code, out.str(), err.str()};
-}
+using Result = test::CommandResult;
+constexpr auto& run = test::run_command;
 
 std::string model_on_disk() {
   const std::string path = test::temporary_path("model.json");
@@ -166,7 +154,8 @@ TEST(Command, HelpAndVersionExitWithZero) {
   const Result help = run({"--help"});
   EXPECT_EQ(help.code, 0);
   EXPECT_THAT(help.out, HasSubstr("Exit codes: 0 done"));
-  for (const char* command : {"linearise", "import", "design", "check"}) {
+  for (const char* command :
+       {"linearise", "import", "design", "sweep", "baselines", "sensors", "evaluate", "study", "check"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     EXPECT_EQ(run({command, "--help"}).code, 0);
   }

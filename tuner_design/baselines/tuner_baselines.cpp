@@ -1,10 +1,23 @@
-#include "tuner_design/baselines.h"
+#include "tuner_design/baselines/tuner_baselines.h"
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
 namespace ehm::bench {
+namespace {
+
+/// Small letters, "eff" written out.
+std::string common_name(const std::string& name) {
+  std::string result;
+  for (const char c : name) result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string brief = "_eff";
+  if (result.size() > brief.size() && result.ends_with(brief)) result += "iciency";
+  return result;
+}
+
+}  // namespace
 
 Eigen::MatrixXd subset_tuners(const estimation::LinearModel& model, const std::vector<std::string>& names) {
   const auto p = static_cast<Eigen::Index>(model.health.size());
@@ -18,6 +31,18 @@ Eigen::MatrixXd subset_tuners(const estimation::LinearModel& model, const std::v
     V(static_cast<Eigen::Index>(i), found - model.health.begin()) = 1.0;
   }
   return V;
+}
+
+std::vector<std::string> published_subset(const estimation::LinearModel& model) {
+  std::vector<std::string> names;
+  for (const char* wanted :
+       {"fan_flow", "lpc_efficiency", "hpc_efficiency", "hpc_flow", "hpt_efficiency", "hpt_flow", "lpt_flow"}) {
+    const auto found = std::find_if(model.health.begin(), model.health.end(),
+                                    [&](const auto& channel) { return common_name(channel.name) == wanted; });
+    if (found == model.health.end()) return {};
+    names.push_back(found->name);
+  }
+  return names;
 }
 
 Eigen::MatrixXd svd_tuners(const Eigen::MatrixXd& H, const Eigen::MatrixXd& Hz, Eigen::Index t) {

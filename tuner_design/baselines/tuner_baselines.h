@@ -14,6 +14,10 @@ namespace ehm::bench {
 /// @throws std::invalid_argument if a name is unknown.
 Eigen::MatrixXd subset_tuners(const estimation::LinearModel& model, const std::vector<std::string>& names);
 
+/// The model's own names of the subset of [SG] table 3, all but fan efficiency, LPC flow and LPT efficiency: "FAN_flow"
+/// and "fan_flow", "HPT_eff" and "hpt_efficiency" are the same. Empty if the model lacks one.
+std::vector<std::string> published_subset(const estimation::LinearModel& model);
+
 /// First t right singular vectors of [H; Hz] as rows, t x p.
 /// @throws std::invalid_argument if t is not within 1 and p.
 Eigen::MatrixXd svd_tuners(const Eigen::MatrixXd& H, const Eigen::MatrixXd& Hz, Eigen::Index t);

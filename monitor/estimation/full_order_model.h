@@ -1,0 +1,35 @@
+#pragma once
+// The linear model as the filters on all n + p states use it: state [x; h] with constant or slowly fading h,
+//
+//   x[k+1] = A x + B u + L h + w      y = [C M] [x; h] + D u + v      z = [F N] [x; h] + G u
+//
+// (linear_model.h; THEORY section 5, "Full-order alternative"). Discrete time, deviations from trim. The units are
+// those of the LinearModel it is made of; covariances are well conditioned in scaled units (scaling.h). Fixed capacity.
+
+#include "monitor/estimation/capacity.h"
+#include "monitor/estimation/linear_model.h"
+
+namespace ehm::estimation {
+
+using FullOrderCovariance = BoundedMatrix<max_augmented, max_augmented>;
+static_assert(max_states + max_health <= max_augmented);
+
+struct FullOrderModel {
+  BoundedMatrix<max_states, max_states> A;
+  BoundedMatrix<max_states, max_actuators> B;
+  BoundedMatrix<max_states, max_health> L;
+  BoundedMatrix<max_sensors, max_augmented> sensor_output;  ///< [C M]
+  BoundedMatrix<max_sensors, max_actuators> D;
+  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_output;  ///< [F N]
+  BoundedMatrix<max_auxiliary, max_actuators> G;
+  BoundedMatrix<max_states, max_states> process_noise;  ///< Q, per sample
+  SensorVector sensor_noise_variance;                   ///< diagonal of R
+  FullOrderCovariance prior;  ///< of a settled engine of the fleet: [X; I] Ph [X; I]^T, X = (I-A)^-1 L
+};
+
+/// `model` has passed design::check_model.
+/// @throws std::invalid_argument if it is continuous or exceeds the capacity (says which list).
+/// @throws std::runtime_error if I - A is singular.
+FullOrderModel full_order_model(const LinearModel& model);
+
+}  // namespace ehm::estimation

@@ -1,0 +1,102 @@
+#include "monitor/estimation/time_varying_filter.h"
+
+#include <cmath>
+
+namespace ehm::estimation {
+
+TimeVaryingFilter::TimeVaryingFilter(const FullOrderModel& model)
+    : model_(model), outputs_(model.sensor_output.transpose()) {
+  reset();
+}
+
+void TimeVaryingFilter::reset() noexcept {
+  estimate_.setZero(model_.prior.rows());
+  covariance_ = model_.prior;
+  measured_.setZero(model_.D.rows());
+  innovation_ = measured_;
+  innovation_variance_ = measured_;
+  gain_.setZero(model_.prior.rows());
+  actuators_.setZero(model_.D.cols());
+  read_out();
+}
+
+void TimeVaryingFilter::predict(const ActuatorVector& du_previous) noexcept {
+  const Eigen::Index n = model_.A.rows(), p = model_.L.cols();
+  // x <- A x + B u + L h
+  state_.noalias() = model_.A.lazyProduct(estimate_.head(n));
+  state_ += model_.B.lazyProduct(du_previous);
+  state_ += model_.L.lazyProduct(estimate_.tail(p));
+  estimate_.head(n) = state_;
+
+  // T = A Pxh + L Phh
+  moved_cross_.noalias() = model_.A.lazyProduct(covariance_.topRightCorner(n, p));
+  cross_ = moved_cross_;
+  cross_ += model_.L.lazyProduct(covariance_.bottomRightCorner(p, p));
+  // Pxx <- A Pxx A^T + T L^T + L (A Pxh)^T + Q
+  const BoundedMatrix<max_states, max_states> moved_state = model_.A.lazyProduct(covariance_.topLeftCorner(n, n));
+  state_block_ = model_.process_noise;
+  state_block_ += moved_state.lazyProduct(model_.A.transpose());
+  state_block_ += cross_.lazyProduct(model_.L.transpose());
+  state_block_ += model_.L.lazyProduct(moved_cross_.transpose());
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index i = 0; i < n; ++i) covariance_(i, j) = 0.5 * (state_block_(i, j) + state_block_(j, i));
+  }
+  covariance_.topRightCorner(n, p) = cross_;
+  covariance_.bottomLeftCorner(p, n) = cross_.transpose();
+}
+
+void TimeVaryingFilter::innovation(const SensorVector& dy, const ActuatorVector& du) noexcept {
+  actuators_ = du;
+  measured_ = dy;
+  measured_ -= model_.D.lazyProduct(du);
+  innovation_ = measured_;
+  innovation_ -= model_.sensor_output.lazyProduct(estimate_);
+  // diag(c P c^T) + R
+  for (Eigen::Index i = 0; i < innovation_variance_.size(); ++i) {
+    project(i);
+    innovation_variance_(i) = outputs_.col(i).dot(gain_) + model_.sensor_noise_variance(i);
+  }
+}
+
+void TimeVaryingFilter::update(SensorMask fused) noexcept {
+  for (Eigen::Index i = 0; i < measured_.size(); ++i) {
+    if (fused[static_cast<std::size_t>(i)]) fuse(i);
+  }
+  read_out();
+}
+
+void TimeVaryingFilter::fuse(Eigen::Index sensor) noexcept {
+  const auto c = outputs_.col(sensor);
+  // s = c P c^T + r,  b = P c^T / sqrt(s)
+  project(sensor);
+  const double root = std::sqrt(c.dot(gain_) + model_.sensor_noise_variance(sensor));
+  gain_ /= root;
+  // xhat <- xhat + b (y - D u - c xhat) / sqrt(s)
+  const double residual = measured_(sensor) - c.dot(estimate_);
+  estimate_ += gain_ * (residual / root);
+  // P <- P - b b^T, symmetric because b_i b_j = b_j b_i also in floating point
+  for (Eigen::Index j = 0; j < gain_.size(); ++j) covariance_.col(j) -= gain_ * gain_(j);
+}
+
+void TimeVaryingFilter::project(Eigen::Index sensor) noexcept {
+  // P c^T by columns, which lie together in memory
+  gain_.setZero();
+  for (Eigen::Index j = 0; j < gain_.size(); ++j) gain_ += covariance_.col(j) * outputs_(j, sensor);
+}
+
+HealthVector TimeVaryingFilter::health_variance() const noexcept {
+  return covariance_.diagonal().tail(model_.L.cols());
+}
+
+AuxiliaryVector TimeVaryingFilter::auxiliary_variance() const noexcept {
+  const BoundedMatrix<max_auxiliary, max_augmented> seen = model_.auxiliary_output.lazyProduct(covariance_);
+  return seen.cwiseProduct(model_.auxiliary_output).rowwise().sum();
+}
+
+void TimeVaryingFilter::read_out() noexcept {
+  health_ = estimate_.tail(model_.L.cols());
+  auxiliary_ = model_.auxiliary_output.lazyProduct(estimate_);
+  auxiliary_ += model_.G.lazyProduct(actuators_);
+}
+
+}  // namespace ehm::estimation
