@@ -10,6 +10,7 @@
 #include "deploy/work/parallel_for.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
+#include "tuner_design/check_report.h"
 #include "tuner_design/design_report.h"
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/import_options.h"
