@@ -14,6 +14,14 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   quiet->excludes(progress);
 }
 
+void add_seed_option(CLI::App& command, std::uint64_t& seed, const std::string& description) {
+  command.add_option("--seed", seed, description)->capture_default_str()->check([](const std::string& text) {
+    std::uint64_t value = 0;
+    const bool good = text.find('-') == std::string::npos && CLI::detail::lexical_cast(text, value);
+    return good ? std::string() : "'" + text + "' is not a whole number from 0 to 18446744073709551615";
+  });
+}
+
 work::ProgressBar progress_bar(const Console& console, const OutputOptions& options, std::size_t total) {
   const bool wanted = options.progress || isatty(STDERR_FILENO) == 1;
   return {console.err, wanted && !options.quiet, total};

@@ -6,9 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "deploy/work/progress_bar.h"
 
@@ -28,6 +30,9 @@ struct OutputOptions {
 };
 
 void add_output_options(CLI::App& command, OutputOptions& options);
+
+/// --seed, 0 or above: CLI11 by itself turns -1 into the largest number.
+void add_seed_option(CLI::App& command, std::uint64_t& seed, const std::string& description);
 
 /// A bar of `total` steps on the standard error, as the options ask for it.
 work::ProgressBar progress_bar(const Console& console, const OutputOptions& options, std::size_t total);

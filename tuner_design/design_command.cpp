@@ -10,6 +10,7 @@
 #include "deploy/work/parallel_for.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
+#include "tuner_design/check_report.h"
 #include "tuner_design/design_report.h"
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/import_options.h"
@@ -194,7 +195,7 @@ void add_design_command(CLI::App& app, Action& run) {
   command->add_option("--starts", arguments->options.random_starts, "Random starts of the search, beside the two known")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
-  command->add_option("--seed", arguments->options.seed, "Of the random starts")->capture_default_str();
+  add_seed_option(*command, arguments->options.seed, "Of the random starts");
   command->add_option("--threads", arguments->threads, "The result does not depend on it; default: one a core")
       ->check(CLI::Range(1, 1024));
   add_output_options(*command, arguments->output);

@@ -125,7 +125,7 @@ void add_linearise_command(CLI::App& app, Action& run) {
   command->add_option("--fleet", arguments->fleet, "Engines of the fleet that measure the linearisation error, 0: none")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Of that fleet")->capture_default_str();
+  add_seed_option(*command, arguments->seed, "Of that fleet");
   command->add_flag("--heat-soak", arguments->heat_soak, "Metal temperatures behind HPC, HPT and LPT as states");
   const auto lag = [&](const char* name, double& tau_s, const char* kind) {
     command->add_option(name, tau_s, std::string("Time constant of the ") + kind + " sensors as states, s; 0: none")

@@ -77,7 +77,7 @@ void add_evaluate_command(CLI::App& app, Action& run) {
   command->add_option("--window", options.window, "Last part of a run, over which errors are averaged, s")
       ->check(CLI::Range(1e-3, 86400.0))
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Of engines and noise")->capture_default_str();
+  add_seed_option(*command, options.seed, "Of engines and noise");
   command->add_option("--threads", options.threads, "The result does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

@@ -71,7 +71,7 @@ void add_study_command(CLI::App& app, Action& run) {
   command->add_option("--runs", options.runs, "Runs of 30 s of the Kalman filter")
       ->check(CLI::Range(std::size_t{10}, std::size_t{1'000'000}))
       ->capture_default_str();
-  command->add_option("--seed", options.seed, "Of the random starts and of the experiments")->capture_default_str();
+  add_seed_option(*command, options.seed, "Of the random starts and of the experiments");
   command->add_option("--csv", arguments->csv, "Write the table to this file too")->type_name("F.csv");
   command->add_option("--threads", options.threads, "The result does not depend on it; default: one a core")
       ->check(CLI::Range(1, 1024));

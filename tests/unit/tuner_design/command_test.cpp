@@ -80,6 +80,9 @@ TEST(Command, EvaluateTellsWhatItCannotFly) {
   EXPECT_THAT(window.err, HasSubstr("a window of 6 s at the end of a run of 5 s; allowed: "));
   EXPECT_EQ(run({"evaluate", file, "--runs", "1"}).code, 2);
   EXPECT_EQ(run({"evaluate", file, "--truth", "all"}).code, 2);
+  const Result seed = run({"evaluate", file, "--seed", "-1"});
+  EXPECT_EQ(seed.code, 2);
+  EXPECT_THAT(seed.err, HasSubstr("'-1' is not a whole number from 0 to 18446744073709551615"));
   EXPECT_EQ(run({"evaluate", model_on_disk()}).code, 2) << "a model is no design";
 }
 
