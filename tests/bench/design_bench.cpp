@@ -26,7 +26,7 @@ struct Cruise {
   Cruise() {
     LineariseOptions options;
     options.flight = {10668.0, 0.8, 0.0};
-    options.demand = {engine::DemandKind::t40_k, 1308.6};
+    options.demand = {engine::DemandKind::t40_k, cruise_t40_k};
     options.fleet = 0;
     model = linearise(engine::Turbofan(engine::jt9d()), options).model;
     const PreparedPoint prepared = prepare(model);
