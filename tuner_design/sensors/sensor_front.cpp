@@ -10,6 +10,12 @@
 namespace ehm::bench {
 namespace {
 
+/// What a dearer set must reach: better by more than the solvers' rounding, or a useless sensor would be bought for it.
+double to_beat(double best) {
+  constexpr double rounding = 1e-9;
+  return best * (1.0 - rounding);  // infinity stays what it is
+}
+
 struct Candidate {
   double cost, bound;
   CandidateSet set;
@@ -35,7 +41,7 @@ std::vector<Candidate> next_batch(const std::vector<Candidate>& sets, std::size_
   constexpr std::size_t batch_size = 16;  // fixed: what is judged must not depend on the number of threads
   std::vector<Candidate> batch;
   for (; at < sets.size() && batch.size() < batch_size; ++at) {
-    if (sets[at].bound < best) batch.push_back(sets[at]);
+    if (sets[at].bound < to_beat(best)) batch.push_back(sets[at]);
   }
   return batch;
 }
@@ -62,7 +68,7 @@ SensorFront sensor_front(const SensorProblem& problem, const SensorChoice& choic
     work::parallel_for(batch.size(), threads, [&](std::size_t i) { values[i] = value_of(problem, batch[i].set); });
     front.filters += batch.size();
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      if (!values[i] || !(values[i]->merit < best)) continue;
+      if (!values[i] || !(values[i]->merit < to_beat(best))) continue;
       best = values[i]->merit;
       if (!front.points.empty() && front.points.back().cost == batch[i].cost) front.points.pop_back();
       front.points.push_back({batch[i].set, batch[i].cost, *values[i]});

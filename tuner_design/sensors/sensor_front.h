@@ -28,7 +28,7 @@ struct FrontPoint {
 };
 
 struct SensorFront {
-  std::vector<FrontPoint> points;  ///< rising cost, falling J; of equal ones the first in the order above
+  std::vector<FrontPoint> points;  ///< rising cost, J falling by more than 1e-9 of itself; of equal ones the first
   std::size_t sets = 0;            ///< within budget and number, with all that is to be kept
   std::size_t filters = 0;         ///< of these, designed and judged
 };
