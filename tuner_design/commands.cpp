@@ -14,6 +14,7 @@
 #include "tuner_design/design_report.h"
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/linearise_command.h"
+#include "tuner_design/report/report_command.h"
 
 namespace ehm::bench {
 namespace {
@@ -107,10 +108,11 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   add_linearise_command(app, run);
   add_design_command(app, run);
   add_check_command(app, run);
+  add_report_command(app, run);
   const std::string command = argc > 1 ? argv[1] : "";
   const auto known = app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == command; });
   if (!command.empty() && command.front() != '-' && known.empty()) {
-    err << "tuner_design: unknown command '" << command << "'; allowed are linearise, design, check\n";
+    err << "tuner_design: unknown command '" << command << "'; allowed are linearise, design, check, report\n";
     return 2;
   }
   try {

@@ -1,0 +1,12 @@
+#pragma once
+// The whole report of a design as a page.
+
+#include "monitor/design/design.h"
+#include "tuner_design/report/page.h"
+
+namespace ehm::bench::report {
+
+/// @throws std::runtime_error if a steady state of the model or of the filter cannot be computed.
+Page design_page(const design::Design& design);
+
+}  // namespace ehm::bench::report
