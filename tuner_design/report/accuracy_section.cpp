@@ -4,6 +4,7 @@
 #include <map>
 
 #include "tuner_design/report/bar_chart.h"
+#include "tuner_design/report/html_table.h"
 #include "tuner_design/report/sections.h"
 #include "tuner_design/report/text.h"
 
@@ -59,13 +60,15 @@ void add_health(Section& section, const ReportData& data) {
   const auto names = names_of(data.design.model.health);
   const BarChart chart =
       sigma_chart(data.health, names, "sigma-health", "Health parameters: standard deviations", "percent");
-  section.add_figure(chart.id, "Health parameters: sigma total and what it is made of.",
-                     "The wide bar is the published standard deviation; the thin bars are its parts, which add as "
-                     "squares. A bar that reaches the diamond tells nothing that the fleet did not tell before; the "
-                     "upright stroke is what no estimator can pass.",
-                     responsive(chart), data_of(chart, "health parameter", "percent"));
-  section.add_table("table-sigma-health", "Health parameters, standard deviations",
-                    channel_table(data.health, names, std::vector<std::string>(names.size(), "percent")));
+  const DataTable table = channel_table(data.health, names, std::vector<std::string>(names.size(), "percent"));
+  section.add_figure(
+      chart.id, "Health parameters: sigma total and what it is made of.",
+      "The wide bar is the published standard deviation; the thin bars are its parts, which add as "
+      "squares. A bar that reaches the diamond tells nothing that the fleet did not tell before; the "
+      "upright stroke is what no estimator can pass.",
+      responsive(chart) +
+          html_table(table, "Health parameters: standard deviations and the variance that the sensors explain"),
+      table);
 }
 
 void add_auxiliary(Section& section, const ReportData& data) {
@@ -82,9 +85,12 @@ void add_auxiliary(Section& section, const ReportData& data) {
                                  "Auxiliary outputs in " + unit, unit == "percent" ? "percent of trim" : unit));
   }
   const DataTable table = channel_table(data.auxiliary, names, data.design.scaling.auxiliary_unit);
-  section.add_figure("sigma-auxiliary", "Auxiliary outputs: sigma total and what it is made of.",
-                     "As above, one drawing for each unit.", panels(charts), table);
-  section.add_table("table-sigma-auxiliary", "Auxiliary outputs, standard deviations", table);
+  section.add_figure(
+      "sigma-auxiliary", "Auxiliary outputs: sigma total and what it is made of.",
+      "As above, one drawing for each unit.",
+      panels(charts) +
+          html_table(table, "Auxiliary outputs: standard deviations and the variance that the sensors explain"),
+      table);
 }
 
 void add_totals(Section& section, const ReportData& data) {

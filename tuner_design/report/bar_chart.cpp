@@ -77,6 +77,16 @@ void draw_mark(Svg& svg, Mark mark, int colour, double x, double top, double bot
   }
 }
 
+/// Right of the bar's end, and of the marks that would cross the number there.
+double free_place(double end, const std::string& text, const std::vector<double>& marks) {
+  constexpr double gap = 8.0;
+  double place = end + gap;
+  for (const double mark : marks) {
+    if (mark > place - gap && mark < place + letters(text) * tick_letter_px + gap) place = mark + gap;
+  }
+  return place;
+}
+
 void draw_group(Svg& svg, const BarChart& chart, const Layout& layout, std::size_t category, double top) {
   draw_label(svg, layout, category, top);
   const double first = layout.labels_beside ? top + (layout.group_height(category) - layout.bars_height) / 2.0
@@ -92,22 +102,22 @@ void draw_group(Svg& svg, const BarChart& chart, const Layout& layout, std::size
     }
     y += series.thickness_px + bar_gap;
   }
-  double rightmost = layout.left;
+  std::vector<double> marks;
   for (const BarMark& mark : chart.marks) {
     const double value = mark.values[category];
     if (!layout.axis.shows(value)) continue;
     svg.open(chart.categories[category] + ", " + mark.name + ": " + number(value, 5));
     draw_mark(svg, mark.mark, mark.colour, layout.x(value), first, first + layout.bars_height);
     svg.close();
-    rightmost = std::max(rightmost, layout.x(value));
+    marks.push_back(layout.x(value));
   }
+  std::sort(marks.begin(), marks.end());
   y = first;
   for (const BarSeries& series : chart.series) {
-    const double end = layout.x(series.values[category]);
-    const bool in_the_way = rightmost > end - 6.0 && rightmost < end + number_room;
+    const double value = series.values[category];
     if (series.numbered)
-      svg.text((in_the_way ? rightmost : end) + 8.0, y + series.thickness_px / 2.0 + 4.0,
-               number(series.values[category]), "value");
+      svg.text(free_place(layout.x(value), number(value), marks), y + series.thickness_px / 2.0 + 4.0, number(value),
+               "value");
     y += series.thickness_px + bar_gap;
   }
 }
@@ -134,21 +144,6 @@ std::string draw(const BarChart& chart, double width, const std::string& id) {
   }
   svg.line(layout.left, head, layout.left, bottom, "frame");
   return svg.markup();
-}
-
-DataTable data_of(const BarChart& chart, const std::string& category, const std::string& unit) {
-  DataTable table;
-  table.columns.push_back(category);
-  const std::string tail = unit.empty() ? "" : " [" + unit + "]";
-  for (const BarSeries& series : chart.series) table.columns.push_back(series.name + tail);
-  for (const BarMark& mark : chart.marks) table.columns.push_back(mark.name + tail);
-  for (std::size_t i = 0; i < chart.categories.size(); ++i) {
-    std::vector<Cell> row{chart.categories[i]};
-    for (const BarSeries& series : chart.series) row.emplace_back(series.values[i]);
-    for (const BarMark& mark : chart.marks) row.emplace_back(mark.values[i]);
-    table.rows.push_back(std::move(row));
-  }
-  return table;
 }
 
 }  // namespace ehm::bench::report

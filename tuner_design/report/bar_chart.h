@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "tuner_design/report/chart_frame.h"
-#include "tuner_design/report/data_table.h"
 
 namespace ehm::bench::report {
 
@@ -39,8 +38,5 @@ std::vector<LegendEntry> legend_of(const BarChart& chart);
 
 /// SVG `width` px wide; names stand beside the bars from 500 px on.
 std::string draw(const BarChart& chart, double width, const std::string& id);
-
-/// A row for each category: its name (column `category`), then series and marks, each with `unit` behind its name.
-DataTable data_of(const BarChart& chart, const std::string& category, const std::string& unit);
 
 }  // namespace ehm::bench::report

@@ -58,7 +58,7 @@ void draw_cell(Svg& svg, const HeatMap& map, const Layout& layout, Eigen::Index 
   if (layout.cell >= number_room) {
     const std::string text = std::abs(value) < 0.005 * layout.full_scale ? "0" : fmt::format("{:.2f}", value);
     svg.text(x + layout.cell / 2.0, y + cell_height / 2.0 + 4.0, text[0] == '-' ? "−" + text.substr(1) : text,
-             strong > 0.55 ? "cell-number strong" : "cell-number", Anchor::middle);
+             strong > 0.75 ? "cell-number strong" : "cell-number", Anchor::middle);
   }
   svg.close();
 }

@@ -10,20 +10,38 @@
 namespace ehm::bench::report {
 namespace {
 
-constexpr int digits = 4;
+constexpr int digits = 4, most_decimals = 5;
 
-/// Decimals that give the largest number of the column `digits` significant digits.
-int decimals_of(const DataTable& table, std::size_t column) {
-  double largest = 0.0;
-  bool whole = true;
+std::string unit_of(const std::string& column) {
+  const std::size_t unit = column.rfind(" [");
+  return unit == std::string::npos ? "" : column.substr(unit);
+}
+
+std::vector<double> sizes_of(const DataTable& table, std::size_t column) {
+  std::vector<double> sizes;
   for (const auto& row : table.rows) {
     const auto* value = std::get_if<double>(&row[column]);
-    if (value == nullptr || !std::isfinite(*value)) continue;
-    largest = std::max(largest, std::abs(*value));
-    whole = whole && *value == std::round(*value);
+    if (value != nullptr && std::isfinite(*value) && *value != 0.0) sizes.push_back(std::abs(*value));
   }
-  if (whole || largest == 0.0) return 0;
-  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(largest))), 0, 6);
+  return sizes;
+}
+
+bool whole(const std::vector<double>& sizes) {
+  return std::all_of(sizes.begin(), sizes.end(), [](double size) { return size == std::round(size); });
+}
+
+/// Decimals that give the median of the columns with this unit `digits` significant digits; none for whole numbers.
+int decimals_of(const DataTable& table, std::size_t column) {
+  if (whole(sizes_of(table, column))) return 0;
+  std::vector<double> sizes;
+  for (std::size_t j = 0; j < table.columns.size(); ++j) {
+    if (unit_of(table.columns[j]) != unit_of(table.columns[column])) continue;
+    const std::vector<double> more = sizes_of(table, j);
+    if (!whole(more)) sizes.insert(sizes.end(), more.begin(), more.end());
+  }
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(*middle))), 0, most_decimals);
 }
 
 std::string cell_text(const Cell& cell, int decimals) {
@@ -42,11 +60,10 @@ bool is_text(const DataTable& table, std::size_t column) {
 }
 
 std::string header_cell(const std::string& column, bool text) {
-  const std::size_t unit = column.rfind(" [");
+  const std::string unit = unit_of(column);
   std::string html = text ? "<th scope=\"col\">" : "<th scope=\"col\" class=\"number\">";
-  html += escaped(column.substr(0, unit));
-  if (unit != std::string::npos)
-    html += "<br/><span class=\"unit\">" + escaped(column.substr(unit + 2, column.size() - unit - 3)) + "</span>";
+  html += escaped(column.substr(0, column.size() - unit.size()));
+  if (!unit.empty()) html += "<br/><span class=\"unit\">" + escaped(unit.substr(2, unit.size() - 3)) + "</span>";
   return html + "</th>";
 }
 

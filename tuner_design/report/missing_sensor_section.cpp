@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tuner_design/report/bar_chart.h"
+#include "tuner_design/report/html_table.h"
 #include "tuner_design/report/sections.h"
 
 namespace ehm::bench::report {
@@ -40,8 +41,7 @@ Section missing_sensor_section(const ReportData& data) {
   section.add_figure(chart.id, "How much each sensor is worth.",
                      "The longer the bar, the more is lost with that sensor; at the diamond nothing is known that the "
                      "fleet did not tell.",
-                     responsive(chart), table);
-  section.add_table("table-missing-sensor", "Designs without one sensor", table);
+                     responsive(chart) + html_table(table, "Designs without one sensor"), table);
   return section;
 }
 

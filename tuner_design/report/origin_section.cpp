@@ -15,13 +15,13 @@ DataTable facts(const ReportData& data) {
   if (!model.engine_type.empty()) add("Engine", model.engine_type);
   if (model.operating_point) {
     const auto& point = *model.operating_point;
-    add("Operating point", number(point.altitude_m, 5) + " m, Mach " + number(point.mach) + ", ISA " +
-                               (point.delta_isa_k < 0.0 ? "" : "+") + number(point.delta_isa_k) + " K");
+    add("Operating point", quantity(point.altitude_m, "m", 5) + ", Mach " + number(point.mach) + ", ISA " +
+                               (point.delta_isa_k < 0.0 ? "" : "+") + quantity(point.delta_isa_k, "K"));
   } else {
     add("Operating point", "the model does not say");
   }
   add("Time", (model.discrete ? std::string("discrete") : std::string("continuous, discretised exactly")) +
-                  ", sample " + number(1e3 * model.sample_time_s) + " ms");
+                  ", sample " + quantity(1e3 * model.sample_time_s, "ms"));
   add("Dimensions", counted(model.states.size(), "state") + ", " + counted(model.controls.size(), "actuator") + ", " +
                         counted(model.sensors.size(), "sensor") + ", " +
                         counted(model.health.size(), "health parameter") + ", " +
@@ -33,7 +33,7 @@ DataTable facts(const ReportData& data) {
   add("Linearisation error", model.linearisation_error.size() > 0 ? "measured, part of every published sigma"
                                                                   : "not given: the engine is taken as linear");
   add("Method", design.options.method);
-  add("Qh", number(design.options.qh_percent2) + " percent² per sample");
+  add("Qh", quantity(design.options.qh_percent2, "percent²") + " per sample");
   add("Seed", std::to_string(design.options.seed));
   add("Made by", design.options.created_by + " " + design.options.version);
   add("Design hash (SHA-256)", design.hash);

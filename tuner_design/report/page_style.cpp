@@ -24,7 +24,7 @@ body {
 }
 header { border-bottom: 2px solid var(--ink); padding-bottom: 1rem; }
 .kicker { margin: 0; color: var(--soft); font-size: 0.8rem; letter-spacing: 0.09em; text-transform: uppercase; }
-h1 { margin: 0.25rem 0 0.4rem; font-size: 1.8rem; line-height: 1.2; }
+h1 { margin: 0.25rem 0 0.4rem; font-size: 1.7rem; line-height: 1.2; text-wrap: balance; }
 .subtitle { margin: 0; color: var(--soft); }
 h2 { margin: 3rem 0 0.6rem; padding-bottom: 0.25rem; border-bottom: 1px solid var(--rule); font-size: 1.25rem; }
 p { margin: 0.6rem 0; max-width: 44rem; }
@@ -36,7 +36,7 @@ main { counter-reset: figure; }
 dl.key { display: grid; grid-template-columns: repeat(auto-fit, minmax(9.5rem, 1fr)); gap: 0.7rem; margin: 1.3rem 0; }
 dl.key div { padding: 0.7rem 0.85rem; background: var(--panel); border-left: 3px solid var(--c1); }
 dl.key dt { color: var(--soft); font-size: 0.8rem; line-height: 1.3; }
-dl.key dd { margin: 0.2rem 0 0; font-size: 1.45rem; font-weight: 600; font-variant-numeric: tabular-nums; }
+dl.key dd { margin: 0.2rem 0 0; font-size: 1.45rem; font-weight: 600; white-space: nowrap; font-variant-numeric: tabular-nums; }
 dl.key .unit { font-size: 0.85rem; font-weight: 400; color: var(--soft); }
 figure { margin: 1.8rem 0; }
 figcaption { margin-bottom: 0.7rem; color: var(--soft); font-size: 0.92rem; max-width: 44rem; }
@@ -47,9 +47,10 @@ a.csv { font-size: 0.78rem; padding: 0 0.4rem; border: 1px solid var(--rule); bo
 a.csv:hover, a.csv:focus { border-color: var(--link); }
 .below { margin: 0.35rem 0 0; text-align: right; max-width: none; }
 .table { margin: 1.6rem 0; }
+figure .scroll { margin-top: 1rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: 0.88rem; line-height: 1.35; overflow-wrap: normal; }
-caption { caption-side: top; padding-bottom: 0.5rem; text-align: left; color: var(--soft); font-size: 0.92rem; }
+caption { caption-side: top; position: sticky; left: 0; max-width: calc(100vw - 1.5rem); padding-bottom: 0.5rem; text-align: left; color: var(--soft); font-size: 0.92rem; }
 th, td { padding: 0.28rem 0.6rem; text-align: left; vertical-align: top; border-bottom: 1px solid var(--grid);
   unicode-bidi: isolate; }
 thead th { vertical-align: bottom; border-bottom: 1px solid var(--ink); font-weight: 600; }
@@ -95,14 +96,19 @@ footer { margin-top: 3rem; padding-top: 0.8rem; border-top: 1px solid var(--rule
   dl.key dd { font-size: 1.2rem; }
 }
 @media print {
-  @page { margin: 16mm 14mm; }
-  body { max-width: none; padding: 0; font-size: 10.5pt; }
+  @page { margin: 15mm 14mm; }
+  body { max-width: none; padding: 0; font-size: 10pt; line-height: 1.4; }
+  h1 { font-size: 17pt; } h2 { margin-top: 1.6rem; break-after: avoid; }
+  #summary p:first-of-type { font-size: 10.5pt; }
   nav, a.csv, .below { display: none; }
   .scroll { overflow: visible; }
-  h2 { break-after: avoid; } figure, .table, dl.key, .panels > div { break-inside: avoid; }
-  figure:has(.panels) { break-inside: auto; }
-  .panels { grid-template-columns: repeat(2, 1fr); }
-  dl.key div, .cell, .positive, .negative { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  caption { position: static; max-width: none; }
+  table { font-size: 8.5pt; }
+  tr, .wide, .panels > div, dl.key, ul.legend, figcaption, p { break-inside: avoid; }
+  figcaption, ul.legend, caption { break-after: avoid; }
+  figure { margin: 1.1rem 0; }
+  .panels { grid-template-columns: repeat(2, 1fr); gap: 0.6rem 1.2rem; }
+  svg, dl.key div { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";
 

@@ -1,6 +1,7 @@
 // The report in words.
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 
 #include "tuner_design/design_tuner.h"
@@ -21,34 +22,37 @@ std::string what_was_designed(const ReportData& data) {
            counted(m, "sensor") + ". The sensors tell all health parameters apart, so none of them had to be combined.";
   }
   return "This filter estimates " + counted(p, "health parameter") + outputs + " of “" + model.name + "” from " +
-         counted(m, "sensor") + ". That many sensors cannot tell the health parameters apart, so the filter follows " +
-         counted(t, "combination") + " of them, the tuners, and reconstructs each parameter from these.";
+         counted(m, "sensor") + ". These cannot tell the health parameters apart, so the filter follows " +
+         counted(t, "combination") + " of them, the tuners.";
 }
 
-std::string against_limit(double ssee, double limit, const std::string& what, const std::string& unit) {
-  // a limit that is only round-off beside the error is none
-  if (limit <= 1e-9 * ssee)
-    return "The expected squared error of " + what + " is " + number(ssee) + unit +
-           ", all of it noise and lag: endless averaging would leave nothing.";
-  return "The expected squared error of " + what + " is " + number(ssee) + unit + ", " + number(ssee / limit, 4) +
-         " times the Bayes limit of " + number(limit) + unit + ".";
+/// A limit that is only round-off beside the error is none.
+bool has_limit(double ssee, double limit) {
+  return limit > 1e-9 * ssee;
 }
 
 std::string how_near(const ReportData& data) {
   const auto& design = data.design;
-  std::string text = against_limit(design.ssee.health.sum(), design.bayes_limit.health.sum(), "health", " percent²");
-  if (!design.model.auxiliary.empty())
-    text += " " + against_limit(design.ssee.auxiliary.sum(), design.bayes_limit.auxiliary.sum(),
-                                "the auxiliary outputs", " (mixed units)");
-  text += " No estimator that sees only steady data of this operating point can pass that limit.";
+  const double h = design.ssee.health.sum(), limit_h = design.bayes_limit.health.sum();
+  const double z = design.ssee.auxiliary.sum(), limit_z = design.bayes_limit.auxiliary.sum();
+  std::string text = "The expected squared error of health is " + quantity(h, "percent²");
+  if (has_limit(h, limit_h)) {
+    text += ", " + number(h / limit_h, 4) + " times the Bayes limit";
+    if (!design.model.auxiliary.empty() && has_limit(z, limit_z))
+      text += "; that of the auxiliary outputs is " + number(z / limit_z, 4) + " times theirs";
+    text += ". No estimator that sees only steady data of this operating point can pass these limits.";
+  } else {
+    text += ", all of it noise and lag: endless averaging would leave nothing.";
+  }
   const double nonlinear = design.linearisation.health.sum();
   if (nonlinear > 0.0)
-    text += " What the linear model misses of the real engine adds " + number(nonlinear) + " percent² of health.";
+    text += " What the linear model misses of the real engine adds " + quantity(nonlinear, "percent²") + ".";
   return text;
 }
 
 /// Largest principal angle between the row space of V and that of H Ph, degrees.
 double angle_to_closed_form(const ReportData& data) {
+  if (data.steady.H.rows() >= data.steady.H.cols()) return 0.0;  // H Ph spans everything
   const Eigen::MatrixXd Ph = data.model.health_sigma.cwiseAbs2().asDiagonal();
   const Eigen::MatrixXd V = row_space(data.design.full.V), closed = row_space(data.steady.H * Ph);
   // sin of the angles: V (I - closed^T closed), accurate for small ones
@@ -68,10 +72,9 @@ std::string is_it_optimal(const ReportData& data) {
   if (t == m)
     return "The tuners span H Ph, the closed form: no other choice has less bias, for health and for every auxiliary "
            "output at once. What is above the limit is noise and lag, the price of the response time.";
-  return "The tuners lie in H Ph, the closed form with the least bias; of the " + std::to_string(m) +
-         " combinations that it offers " + std::to_string(m - t) + (m - t == 1 ? " is" : " are") +
-         " left out, because the linear model errs more there than the sensors could tell. That costs part of the "
-         "distance to the limit.";
+  return "The tuners span " + std::to_string(t) + " of the " + std::to_string(std::min(m, p)) +
+         " combinations of H Ph, the closed form with the least bias; what is left out is seen so weakly that the "
+         "model's own error would outweigh it.";
 }
 
 std::string warning(const ReportData& data) {
@@ -82,6 +85,11 @@ std::string warning(const ReportData& data) {
          "sensors hardly see.";
 }
 
+KeyFigure against_limit(double ssee, double limit, const std::string& unit, const std::string& meaning) {
+  if (has_limit(ssee, limit)) return {number(ssee / limit, 4), "× limit", meaning};
+  return {number(ssee), unit, meaning};
+}
+
 }  // namespace
 
 Section summary_section(const ReportData& data) {
@@ -89,22 +97,14 @@ Section summary_section(const ReportData& data) {
   Section section{"summary", "Summary"};
   section.add_text(what_was_designed(data) + " " + how_near(data) + " " + is_it_optimal(data) +
                    " A change of the engine shows with a slowest time constant of " +
-                   number(design.full.slowest_time_constant_s) + " s.");
+                   quantity(design.full.slowest_time_constant_s, "s") + ".");
   const std::string care = warning(data);
   if (!care.empty()) section.add_text(care);
-  std::vector<KeyFigure> key;
-  const double limit = design.bayes_limit.health.sum(), ssee = design.ssee.health.sum();
-  if (limit > 1e-9 * ssee) {
-    key.push_back({number(ssee / limit, 4), "× limit", "squared error of health"});
-  } else {
-    key.push_back({number(ssee), "percent²", "squared error of health"});
-  }
-  if (!design.model.auxiliary.empty()) {
-    const double limit_z = design.bayes_limit.auxiliary.sum(), ssee_z = design.ssee.auxiliary.sum();
-    const bool has_limit = limit_z > 1e-9 * ssee_z;
-    key.push_back({number(has_limit ? ssee_z / limit_z : ssee_z, has_limit ? 4 : 3), has_limit ? "× limit" : "mixed",
-                   "squared error of auxiliary outputs"});
-  }
+  std::vector<KeyFigure> key{
+      against_limit(design.ssee.health.sum(), design.bayes_limit.health.sum(), "percent²", "squared error of health")};
+  if (!design.model.auxiliary.empty())
+    key.push_back(against_limit(design.ssee.auxiliary.sum(), design.bayes_limit.auxiliary.sum(), "mixed units",
+                                "squared error of auxiliary outputs"));
   const double prior = data.health.prior.sum(), total = data.health.total.sum();
   key.push_back({number(100.0 * (1.0 - total / prior), 3), "%", "of the fleet's health variance explained"});
   key.push_back({number(design.full.slowest_time_constant_s), "s", "slowest time constant"});

@@ -89,6 +89,10 @@ std::string number(double value, int significant) {
   return with_minus(fmt::format("{:.{}f}", value, std::max(0, significant - 1 - exponent)));
 }
 
+std::string quantity(double value, std::string_view unit, int significant) {
+  return number(value, significant) + "\u00A0" + std::string(unit);
+}
+
 std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }

@@ -15,6 +15,9 @@ std::string escaped(std::string_view text);
 /// `significant` digits; powers of ten below 1e-3 and from 1e6 on. A real minus sign; "–" where it is not a number.
 std::string number(double value, int significant = 3);
 
+/// number() and a unit on the same line.
+std::string quantity(double value, std::string_view unit, int significant = 3);
+
 /// A power of ten: "10⁻³".
 std::string power_of_ten(int exponent);
 
