@@ -93,8 +93,8 @@ bool Axis::shows(double value) const {
 
 double Axis::fraction(double value) const {
   if (!shows(value)) return 0.0;
-  const double part =
-      logarithmic_ ? std::log10(value / low_) / std::log10(high_ / low_) : (value - low_) / (high_ - low_);
+  const double part = logarithmic_ ? (std::log10(value) - std::log10(low_)) / (std::log10(high_) - std::log10(low_))
+                                   : (value - low_) / (high_ - low_);
   return std::clamp(part, 0.0, 1.0);
 }
 
