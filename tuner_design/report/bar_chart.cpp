@@ -9,7 +9,7 @@
 namespace ehm::bench::report {
 namespace {
 
-constexpr double number_room = 62.0, group_gap = 12.0, bar_gap = 1.5, head = 8.0, foot = 40.0;
+constexpr double number_room = 62.0, group_gap = 12.0, bar_gap = 1.5, head = 8.0, foot = 40.0, narrow_left = 12.0;
 constexpr double least_wide = 500.0, most_label = 230.0, least_label = 60.0;
 constexpr std::size_t label_lines = 3;
 
@@ -34,7 +34,7 @@ Axis axis_of(const BarChart& chart, int ticks) {
 }
 
 Layout layout_of(const BarChart& chart, double width) {
-  Layout layout{axis_of(chart, width < least_wide ? 4 : 7), width >= least_wide, 6.0, 0.0, 0.0, {}};
+  Layout layout{axis_of(chart, width < least_wide ? 4 : 7), width >= least_wide, narrow_left, 0.0, 0.0, {}};
   if (layout.labels_beside) {
     double longest = least_label;
     for (const std::string& name : chart.categories) longest = std::max(longest, letters(name) * letter_px + 12.0);

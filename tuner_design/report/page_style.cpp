@@ -64,7 +64,7 @@ tr.total + tr.total > * { border-top: 0; }
 ul.legend { display: flex; flex-wrap: wrap; gap: 0.2rem 1.2rem; margin: 0 0 0.4rem; padding: 0; list-style: none;
   font-size: 0.85rem; }
 ul.legend svg { display: inline-block; margin-right: 0.45rem; vertical-align: -1px; }
-svg { display: block; max-width: 100%; height: auto; overflow: visible;
+svg { display: block; max-width: 100%; height: auto; overflow: hidden;
   font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", "Liberation Sans", Arial, sans-serif; }
 svg text { fill: var(--ink); unicode-bidi: isolate; }
 .narrow { display: none; }

@@ -24,7 +24,8 @@ std::vector<std::string_view> signs(std::string_view text) {
 /// From U+1100 on (three bytes, 0xE1 0x84) scripts are mostly full-width; punctuation and arrows of U+2000 are not.
 int width(std::string_view sign) {
   const bool punctuation = sign.size() == 3 && static_cast<unsigned char>(sign[0]) == 0xE2U;
-  return sign.size() >= 3 && !punctuation ? 2 : 1;
+  const bool broad = sign == "W" || sign == "M" || sign == "m" || sign == "@";
+  return broad || (sign.size() >= 3 && !punctuation) ? 2 : 1;
 }
 
 int width(const std::vector<std::string_view>& text, std::size_t from, std::size_t to) {

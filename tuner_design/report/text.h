@@ -1,7 +1,7 @@
 #pragma once
 // Text as a report shows it: escaped for XML, numbers for people, names cut and broken to fit. Names come from users'
 // files: they may hold markup, control characters, any script, and 63 characters without a space.
-// Text is UTF-8. Widths are counted in average letters; full-width (CJK) signs count two. Errors: none.
+// Text is UTF-8. Widths are counted in average letters; W, M, m and full-width (CJK) signs count two. Errors: none.
 
 #include <string>
 #include <string_view>
