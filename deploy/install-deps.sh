@@ -8,7 +8,7 @@ packages=(
   # tool chain
   g++ cmake ninja-build pkg-config ccache python3 git ca-certificates
   # the chosen packages
-  libeigen3-dev libfastrtps-dev libfastcdr-dev fastddsgen libnlopt-dev libnlopt-cxx-dev libspdlog-dev
+  libeigen3-dev libfastrtps-dev libfastcdr-dev fastddsgen libnlopt-dev libnlopt-cxx-dev libspdlog-dev libfmt-dev
   libgtest-dev libgmock-dev
   # configuration, files, command line
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libssl-dev

@@ -11,7 +11,7 @@
 #include "monitor/design/model_json.h"
 #include "monitor/estimation/scaling.h"
 #include "monitor/estimation/steady_gain.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/choose_tuners.h"
 #include "tuner_design/discretise.h"
 
 namespace ehm::bench {

@@ -6,7 +6,11 @@
 #include <ostream>
 #include <sstream>
 
+#include "monitor/design/certificate_json.h"
+#include "monitor/design/options_json.h"
+#include "tuner_design/certificate_report.h"
 #include "tuner_design/design_tuner.h"
+#include "tuner_design/search/row_space.h"
 
 namespace ehm::bench {
 namespace {
@@ -37,8 +41,17 @@ bool reduces(const Design& design) {
 }
 
 std::string reduction(const Design& design) {
-  return reduces(design) ? "closed form, V = H Ph: fewer sensors than health parameters"
-                         : "none, V = I: at least as many sensors as health parameters";
+  if (!reduces(design)) return "none, V = I: at least as many sensors as health parameters";
+  const std::string why = ": fewer sensors than health parameters";
+  switch (design.options.tuning) {
+    case design::Tuning::closed_form:
+      return "closed form, V = H Ph" + why;
+    case design::Tuning::kalman:
+      return "search for the least error of the Kalman filter" + why;
+    case design::Tuning::map:
+      return "search for the least error of the MAP estimator" + why;
+  }
+  return "?";
 }
 
 Json missing_as_json(const Design& design) {
@@ -149,6 +162,8 @@ Json design_as_json(const Design& design) {
           {"worse_than_prior", worse_than_prior(design.full, design.model, design.scaling)},
           {"auxiliary_unit", std::move(units)},
           {"row_space", rows(row_space(design.full.V))},
+          {"tuning", design::name_of(design.options.tuning)},
+          {"certificate", design::certificate_to_json(design.certificate, design.model.name)},
           {"without_sensor", missing_as_json(design)}};
 }
 
@@ -168,6 +183,7 @@ void print_design(const Design& design, std::ostream& out) {
     out << ", auxiliary " << ratio(design.ssee.auxiliary.sum(), design.bayes_limit.auxiliary.sum());
   }
   out << '\n';
+  print_certificate(design.certificate, out);
   const std::vector<std::string> worse = worse_than_prior(design.full, design.model, design.scaling);
   if (worse.empty()) return;
   out << "  warning: sigma exceeds the fleet's own for";

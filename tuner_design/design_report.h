@@ -11,8 +11,8 @@ namespace ehm::bench {
 
 /// Keys: name, hash, sensors, tuners, qh_percent2, sample_time_s, slowest_time_constant_s, ssee_health, ssee_auxiliary,
 /// bayes_limit_health, bayes_limit_auxiliary, full_map_health, ..., reduced_map_health, ... (each {total, by_channel}),
-/// worse_than_prior (health parameters), auxiliary_unit, row_space (orthonormal rows), reduction ("closed form ..." or
-/// "none ..."), without_sensor.
+/// worse_than_prior (health parameters), auxiliary_unit, row_space (orthonormal rows), reduction (in words), tuning,
+/// certificate (certificate_json.h), without_sensor.
 nlohmann::ordered_json design_as_json(const design::Design& design);
 
 void print_design(const design::Design& design, std::ostream& out);

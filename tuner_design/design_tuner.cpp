@@ -1,16 +1,12 @@
 #include "tuner_design/design_tuner.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
 #include "tuner_design/bayes_limit.h"
-#include "tuner_design/discretise.h"
+#include "tuner_design/choose_tuners.h"
 #include "tuner_design/kalman_error.h"
 #include "tuner_design/kalman_gain.h"
 #include "tuner_design/map_estimator.h"
@@ -20,35 +16,25 @@ namespace ehm::bench {
 namespace {
 
 using design::Design;
+using design::DesignOptions;
 using design::ErrorByChannel;
 using design::SubsetDesign;
 using estimation::LinearModel;
-using estimation::SteadyGain;
 
-Observability observability_of(const LinearModel& model, const Eigen::MatrixXd& H, const std::vector<int>& sensors) {
+Observability observability_of(const PreparedPoint& point, const std::vector<int>& sensors) {
   LinearModel part;
-  part.health = model.health;
-  part.health_sigma = model.health_sigma;
-  part.sensor_noise_sigma = model.sensor_noise_sigma(sensors);
-  for (const int sensor : sensors) part.sensors.push_back(model.sensors[static_cast<std::size_t>(sensor)]);
-  return steady_observability(part, H(sensors, Eigen::all));
+  part.health = point.model.health;
+  part.health_sigma = point.model.health_sigma;
+  part.sensor_noise_sigma = point.model.sensor_noise_sigma(sensors);
+  for (const int sensor : sensors) part.sensors.push_back(point.model.sensors[static_cast<std::size_t>(sensor)]);
+  return steady_observability(part, point.steady.H(sensors, Eigen::all));
 }
 
-/// N: what a long average of these sensors still gets wrong.
-Eigen::MatrixXd lasting_noise(const LinearModel& model, const std::vector<int>& sensors) {
-  constexpr double averaging = 1.0 / 256.0;
-  const Eigen::VectorXd sigma = model.sensor_noise_sigma(sensors);
-  const Eigen::MatrixXd R = sigma.cwiseAbs2().asDiagonal();
-  if (model.linearisation_error.size() == 0) return R;
-  return model.linearisation_error(sensors, sensors) + averaging * R;
-}
-
-SubsetDesign design_subset(const LinearModel& model, const SteadyGain& steady, const std::vector<int>& sensors,
-                           Eigen::Index tuners, double qh_percent2) {
-  const Eigen::MatrixXd V =
-      closed_form_tuners(steady.H(sensors, Eigen::all), lasting_noise(model, sensors), model.health_sigma, tuners);
-  SubsetDesign design = kalman_gain(model, sensors, V, qh_percent2);
-  add_error_theory(design, model, steady);
+/// The filter on V and its error.
+SubsetDesign filter_on(const PreparedPoint& point, const std::vector<int>& sensors, const Eigen::MatrixXd& V,
+                       double qh_percent2) {
+  SubsetDesign design = kalman_gain(point.model, sensors, V, qh_percent2);
+  add_error_theory(design, point.model, point.steady);
   return design;
 }
 
@@ -56,42 +42,65 @@ bool within_prior(const SubsetDesign& design, const LinearModel& scaled_model) {
   return (design.health_total_covariance.diagonal().array() <= scaled_model.health_sigma.array().square()).all();
 }
 
-/// On as many tuners as leave every sigma within the prior; none if that is not possible.
-std::optional<SubsetDesign> design_within_prior(const LinearModel& model, const SteadyGain& steady,
-                                                const std::vector<int>& sensors, double qh_percent2) {
-  for (Eigen::Index t = observability_of(model, steady.H, sensors).rank; t >= 1; --t) {
-    SubsetDesign design = design_subset(model, steady, sensors, t, qh_percent2);
-    if (within_prior(design, model)) return design;
+/// Tuners with the filter of every point on them.
+struct Candidate {
+  ChosenTuners tuners;
+  std::vector<SubsetDesign> filters;
+  double objective = 0.0;
+  bool within_prior = true;
+};
+
+Candidate candidate_with(const Envelope& envelope, const std::vector<int>& sensors, Eigen::Index t,
+                         const DesignOptions& options, int random_starts, unsigned threads) {
+  Candidate candidate;
+  candidate.tuners = choose_tuners(envelope, sensors, t, options, random_starts, threads);
+  candidate.objective = objective(candidate.tuners.problem, candidate.tuners.search.V);
+  for (const PreparedPoint& point : envelope.points) {
+    candidate.filters.push_back(filter_on(point, sensors, candidate.tuners.search.V, options.qh_percent2));
+    candidate.within_prior = candidate.within_prior && within_prior(candidate.filters.back(), point.model);
   }
-  return std::nullopt;
+  return candidate;
 }
 
-std::optional<SubsetDesign> design_without(int absent, const LinearModel& model, const SteadyGain& steady,
-                                           double qh_percent2) {
+/// Least objective of all numbers of tuners, of those within the prior if there are any.
+Candidate best_number_of_tuners(const Envelope& envelope, const std::vector<int>& sensors,
+                                const DesignOptions& options) {
+  Eigen::Index most = envelope.points.front().model.L.cols();
+  for (const PreparedPoint& point : envelope.points)
+    most = std::min<Eigen::Index>(most, observability_of(point, sensors).rank);
+  std::optional<Candidate> best;
+  for (Eigen::Index t = most; t >= 1; --t) {
+    Candidate candidate = candidate_with(envelope, sensors, t, options, 0, 1);
+    const bool better = !best || (candidate.within_prior && !best->within_prior) ||
+                        (candidate.within_prior == best->within_prior && candidate.objective < best->objective);
+    if (better) best = std::move(candidate);
+  }
+  if (!best) throw std::runtime_error("no combination of health parameters is observable");
+  return *std::move(best);
+}
+
+std::optional<SubsetDesign> design_without(int absent, const PreparedPoint& point, const DesignOptions& options) {
   std::vector<int> present;
-  for (int i = 0; i < static_cast<int>(model.sensors.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(point.model.sensors.size()); ++i) {
     if (i != absent) present.push_back(i);
   }
   if (present.empty()) return std::nullopt;
-  auto design = design_within_prior(model, steady, present, qh_percent2);
-  if (design || model.linearisation_error.size() == 0) return design;
-  // A model that misses so much of its engine has no such design; the least bad one still tells its true sigma.
-  for (Eigen::Index t = observability_of(model, steady.H, present).rank; t >= 1; --t) {
-    SubsetDesign candidate = design_subset(model, steady, present, t, qh_percent2);
-    if (!design || candidate.health_total_covariance.trace() < design->health_total_covariance.trace())
-      design = std::move(candidate);
-  }
-  return design;
+  Candidate best = best_number_of_tuners({{point}, {1.0}}, present, options);
+  // A model that misses so much of its engine may have none within the prior; the least bad one still tells its sigma.
+  if (!best.within_prior && point.model.linearisation_error.size() == 0) return std::nullopt;
+  return std::move(best.filters.front());
 }
 
-/// All sensors, on as many tuners as sensors; fewer where the model's linearisation error asks for it.
-SubsetDesign design_full(const LinearModel& model, const SteadyGain& steady, const std::vector<int>& all,
-                         double qh_percent2) {
-  if (model.linearisation_error.size() > 0) {
-    if (auto design = design_within_prior(model, steady, all, qh_percent2)) return *design;
+/// All sensors, on as many tuners as sensors; fewer where a model's linearisation error asks for it.
+Candidate design_full(const Envelope& envelope, const std::vector<int>& all, const DesignOptions& options,
+                      int random_starts, unsigned threads) {
+  const auto knows_its_error = [](const PreparedPoint& point) { return point.model.linearisation_error.size() > 0; };
+  auto tuners = std::min<Eigen::Index>(static_cast<Eigen::Index>(all.size()), envelope.points.front().model.L.cols());
+  if (std::any_of(envelope.points.begin(), envelope.points.end(), knows_its_error)) {
+    const Candidate best = best_number_of_tuners(envelope, all, options);
+    if (best.within_prior) tuners = best.tuners.search.V.rows();
   }
-  const auto tuners = static_cast<Eigen::Index>(std::min(all.size(), model.health.size()));
-  return design_subset(model, steady, all, tuners, qh_percent2);
+  return candidate_with(envelope, all, tuners, options, random_starts, threads);
 }
 
 /// Variances of health and of the auxiliary outputs for an error covariance of health.
@@ -99,48 +108,56 @@ ErrorByChannel by_channel(const Eigen::MatrixXd& health_covariance, const Eigen:
   return {health_covariance.diagonal(), (Hz * health_covariance * Hz.transpose()).diagonal()};
 }
 
-void add_errors_and_limits(Design& design, const LinearModel& model, const SteadyGain& steady) {
-  const Eigen::MatrixXd Ph = model.health_sigma.cwiseAbs2().asDiagonal();
-  const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
-  const Eigen::MatrixXd full = full_map_gain(steady.H, Ph, R);
-  const Eigen::MatrixXd U = bayes_limit_factor(steady.H, Ph);
-  const Eigen::MatrixXd reduced = reduced_map_gain(steady.H, Ph, R, design.full.V);
+void add_errors_and_limits(Design& design, const PreparedPoint& point) {
+  const Eigen::MatrixXd &H = point.steady.H, &Hz = point.steady.Hz;
+  const Eigen::MatrixXd Ph = point.model.health_sigma.cwiseAbs2().asDiagonal();
+  const Eigen::MatrixXd R = point.model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
+  const Eigen::MatrixXd full = full_map_gain(H, Ph, R);
+  const Eigen::MatrixXd U = bayes_limit_factor(H, Ph);
+  const Eigen::MatrixXd reduced = reduced_map_gain(H, Ph, R, design.full.V);
   design.linearisation = {design.full.health_linearisation_covariance.diagonal(),
                           design.full.auxiliary_linearisation_covariance.diagonal()};
   design.ssee = {design.full.health_total_covariance.diagonal() - design.linearisation.health,
                  design.full.auxiliary_total_covariance.diagonal() - design.linearisation.auxiliary};
-  design.bayes_limit = {U.rowwise().squaredNorm(), (steady.Hz * U).rowwise().squaredNorm()};
-  design.full_map = by_channel(snapshot_error_covariance(full, steady.H, Ph, R), steady.Hz);
-  design.reduced_map = by_channel(snapshot_error_covariance(reduced, steady.H, Ph, R), steady.Hz);
+  design.bayes_limit = {U.rowwise().squaredNorm(), (Hz * U).rowwise().squaredNorm()};
+  design.full_map = by_channel(snapshot_error_covariance(full, H, Ph, R), Hz);
+  design.reduced_map = by_channel(snapshot_error_covariance(reduced, H, Ph, R), Hz);
+}
+
+design::Certificate certificate_of(const Candidate& candidate, std::size_t point_index, const PreparedPoint& point,
+                                   const std::vector<int>& all) {
+  design::Certificate certificate;
+  certificate.starts = candidate.tuners.search.starts;
+  certificate.closed_form_objective = candidate.tuners.closed_form;
+  certify(certificate, candidate.tuners.problem, candidate.tuners.search.V);
+  const Observability observability = observability_of(point, all);
+  const SubsetDesign& filter = candidate.filters[point_index];
+  certificate.steady_singular_values = observability.singular_values;
+  certificate.condition = observability.condition;
+  certificate.pair_singular_values = pair_singular_values(filter.A, filter.C, point.model.sensor_noise_sigma);
+  return certificate;
+}
+
+void require_same_channels(const std::vector<LinearModel>& models) {
+  const auto names = [](const std::vector<estimation::Channel>& channels) {
+    std::string text;
+    for (const estimation::Channel& channel : channels) text += channel.name + " in " + channel.unit + ", ";
+    return text;
+  };
+  const LinearModel& first = models.front();
+  for (const LinearModel& model : models) {
+    const auto require = [&](const char* what, const auto& own, const auto& others) {
+      if (names(own) == names(others)) return;
+      throw std::invalid_argument(std::string("envelope: model ") + model.name + " has other " + what + " than " +
+                                  first.name + "; allowed are models of one engine with the same channels and units");
+    };
+    require("health parameters", model.health, first.health);
+    require("sensors", model.sensors, first.sensors);
+    require("auxiliary outputs", model.auxiliary, first.auxiliary);
+  }
 }
 
 }  // namespace
-
-Eigen::MatrixXd row_space(const Eigen::MatrixXd& V) {
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(V.transpose());
-  Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(V.cols(), V.rows());
-  for (Eigen::Index i = 0; i < V.rows(); ++i) {
-    if (qr.matrixQR()(i, i) < 0.0) basis.col(i) = -basis.col(i);
-  }
-  return basis.transpose();
-}
-
-Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::MatrixXd& noise,
-                                   const Eigen::VectorXd& health_sigma, Eigen::Index t) {
-  if (t < 1 || t > std::min(H.rows(), H.cols())) {
-    throw std::invalid_argument("closed form: " + std::to_string(t) + " tuners; allowed 1 to " +
-                                std::to_string(std::min(H.rows(), H.cols())));
-  }
-  if (t == H.cols()) return Eigen::MatrixXd::Identity(t, t);
-  const Eigen::MatrixXd Ph = health_sigma.cwiseAbs2().asDiagonal();
-  if (t == H.rows()) return row_space(H * Ph);
-  const Eigen::LLT<Eigen::MatrixXd> factor(noise);
-  if (factor.info() != Eigen::Success)
-    throw std::runtime_error("tuners: the noise covariance N is not positive definite");
-  const Eigen::MatrixXd weighted = factor.matrixL().solve(H);  // N^-1/2 H
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(weighted * health_sigma.asDiagonal(), Eigen::ComputeThinU);
-  return row_space(svd.matrixU().leftCols(t).transpose() * weighted * Ph);
-}
 
 std::vector<std::string> worse_than_prior(const SubsetDesign& design, const LinearModel& model,
                                           const estimation::Scaling& scaling) {
@@ -153,27 +170,45 @@ std::vector<std::string> worse_than_prior(const SubsetDesign& design, const Line
   return names;
 }
 
-Design design_tuner(const LinearModel& model, const design::DesignOptions& options) {
+Eigen::MatrixXd full_set_tuners(const Envelope& envelope, const DesignOptions& options) {
+  return design_full(envelope, all_sensors(envelope.points.front().model), options, 0, 1).tuners.search.V;
+}
+
+std::vector<Design> design_envelope(const std::vector<LinearModel>& models, const std::vector<double>& weights,
+                                    const DesignOptions& options, unsigned threads) {
   if (!(options.qh_percent2 > 0.0) || !std::isfinite(options.qh_percent2)) {
     throw std::invalid_argument("qh is " + std::to_string(options.qh_percent2) +
                                 "; allowed: above 0 percent^2 per sample (without it the filter stops listening)");
   }
-  Design design;
-  design.model = model;
-  design.options = options;
-  design.scaling = estimation::scaling_of(model);
-  const LinearModel discrete = estimation::scaled(discretise(model), design.scaling);
-  const SteadyGain steady = estimation::steady_gain(discrete);
-
-  std::vector<int> all(model.sensors.size());
-  std::iota(all.begin(), all.end(), 0);
-  require_observable(observability_of(discrete, steady.H, all), all.size() < model.health.size());
-  design.full = design_full(discrete, steady, all, options.qh_percent2);
-  add_errors_and_limits(design, discrete, steady);
-  for (const int absent : all) {
-    design.missing.push_back(design_without(absent, discrete, steady, options.qh_percent2));
+  if (models.empty() || weights.size() != models.size())
+    throw std::invalid_argument("envelope: one weight is needed for each of one or more models");
+  require_same_channels(models);
+  Envelope envelope{{}, weights};
+  const std::vector<int> all = all_sensors(models.front());
+  for (const LinearModel& model : models) {
+    envelope.points.push_back(prepare(model));
+    require_observable(observability_of(envelope.points.back(), all), all.size() < model.health.size());
   }
-  return design;
+
+  const Candidate full = design_full(envelope, all, options, options.random_starts, threads);
+  std::vector<Design> designs;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const PreparedPoint& point = envelope.points[i];
+    Design design;
+    design.model = models[i];
+    design.options = options;
+    design.scaling = point.scaling;
+    design.full = full.filters[i];
+    design.certificate = certificate_of(full, i, point, all);
+    add_errors_and_limits(design, point);
+    for (const int absent : all) design.missing.push_back(design_without(absent, point, options));
+    designs.push_back(std::move(design));
+  }
+  return designs;
+}
+
+Design design_tuner(const LinearModel& model, const DesignOptions& options, unsigned threads) {
+  return std::move(design_envelope({model}, {1.0}, options, threads).front());
 }
 
 }  // namespace ehm::bench

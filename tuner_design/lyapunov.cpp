@@ -4,11 +4,11 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tuner_design/doubling.h"
+
 namespace ehm::bench {
 namespace {
 
-constexpr int max_doublings = 60;
-constexpr double converged_change = 1e-16;
 constexpr double allowed_residual = 1e-9;
 
 }  // namespace
@@ -27,18 +27,12 @@ Eigen::MatrixXd solve_discrete_lyapunov(const Eigen::MatrixXd& A, const Eigen::M
     message << "Lyapunov equation: A has the spectral radius " << radius << ", allowed below 1";
     throw std::runtime_error(message.str());
   }
-  Eigen::MatrixXd Ak = A;
+  const doubling::Powers<Eigen::MatrixXd> powers(A);
   Eigen::MatrixXd X = 0.5 * (Q + Q.transpose());
-  for (int k = 0; k < max_doublings; ++k) {
-    Eigen::MatrixXd increment = Ak * X * Ak.transpose();
-    increment = (0.5 * (increment + increment.transpose())).eval();
-    X += increment;
-    if (increment.norm() <= converged_change * X.norm()) break;
-    Ak = (Ak * Ak).eval();
-  }
+  powers.solve(X);
   const double size = X.norm();
   const double residual = (A * X * A.transpose() + Q - X).norm();
-  if (!(residual <= allowed_residual * size)) {
+  if (!powers.converged() || !(residual <= allowed_residual * size)) {
     std::ostringstream message;
     message << "Lyapunov equation: residual " << residual << " of " << size << ", allowed " << allowed_residual
             << " relative; spectral radius " << radius;

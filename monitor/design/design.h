@@ -12,16 +12,30 @@
 #include <string>
 #include <vector>
 
+#include "monitor/design/certificate.h"
 #include "monitor/estimation/linear_model.h"
 #include "monitor/estimation/scaling.h"
 
 namespace ehm::design {
 
+/// How V* is chosen: the closed form H Ph, or a search for the least error of the Kalman filter or of the MAP
+/// estimator.
+enum class Tuning { closed_form, kalman, map };
+
+/// What a design is to be good at (certificate.h).
+struct ErrorWeights {
+  double health = 1.0;          ///< w_h
+  double auxiliary = 1.0;       ///< w_z
+  std::vector<double> channel;  ///< of each auxiliary output; empty: 1 each
+};
+
 /// How a design was made; the same options on the same model give the same file.
 struct DesignOptions {
   double qh_percent2 = 1e-3;  ///< process noise of each health parameter per sample
-  std::uint64_t seed = 0;     ///< of a search; the closed form needs none
-  std::string method = "closed form V = H Ph";
+  Tuning tuning = Tuning::kalman;
+  ErrorWeights weights;
+  int random_starts = 8;   ///< of the search, beside the closed form and the SVD tuners
+  std::uint64_t seed = 1;  ///< of the random starts
   std::string created_by = "tuner_design";
   std::string version = "unversioned";
 };
@@ -59,6 +73,7 @@ struct Design {
   ErrorByChannel linearisation;                      ///< what the real engine's nonlinearity adds to that
   ErrorByChannel bayes_limit;                        ///< no estimator on steady data at this point can do better
   ErrorByChannel full_map, reduced_map;              ///< MAP on one noisy snapshot, on h and on the tuners
+  Certificate certificate;                           ///< of the tuners of `full`
   std::string hash;                                  ///< SHA-256 of the content; set by write_design and read_design
 };
 

@@ -3,10 +3,12 @@
 #include <cmath>
 
 #include "deploy/files/atomic_file.h"
+#include "monitor/design/certificate_json.h"
 #include "monitor/design/content_hash.h"
 #include "monitor/design/file_error.h"
 #include "monitor/design/json_text.h"
 #include "monitor/design/model_json.h"
+#include "monitor/design/options_json.h"
 #include "monitor/design/subset_json.h"
 
 namespace ehm::design {
@@ -51,37 +53,17 @@ estimation::Scaling scaling_from_json(JsonObject& parent, const estimation::Line
   return scaling;
 }
 
-DesignOptions options_from_json(JsonObject& parent) {
-  JsonObject object(parent.at("made_by"), parent.file(), parent.key("made_by"));
-  DesignOptions options;
-  options.created_by = object.text("program");
-  options.version = object.text("version");
-  options.method = object.text("method");
-  options.qh_percent2 = object.positive_number("qh_percent2");
-  const Json& seed = object.at("seed");
-  if (!seed.is_number_unsigned())
-    throw_defect(parent.file(), object.key("seed"), shown(seed), "an integer", make_again);
-  options.seed = seed.get<std::uint64_t>();
-  object.refuse_unknown();
-  return options;
-}
-
 Json content_of(const Design& design, const std::string& file) {
   Json missing = Json::array();
   for (std::size_t i = 0; i < design.missing.size(); ++i) {
     const std::string path = "designs.missing[" + std::to_string(i) + "]";
     missing.push_back(design.missing[i] ? subset_to_json(*design.missing[i], file, path) : Json(nullptr));
   }
-  const DesignOptions& options = design.options;
   return {{"schema", design_schema},
           {"model", model_to_json(design.model, file)},
           {"scaling", scaling_to_json(design.scaling, file)},
-          {"made_by",
-           {{"program", options.created_by},
-            {"version", options.version},
-            {"method", options.method},
-            {"qh_percent2", options.qh_percent2},
-            {"seed", options.seed}}},
+          {"made_by", options_to_json(design.options)},
+          {"certificate", certificate_to_json(design.certificate, file)},
           {"designs", {{"full", subset_to_json(design.full, file, "designs.full")}, {"missing", std::move(missing)}}},
           {"errors",
            {{"ssee", errors_to_json(design.ssee, file, "errors.ssee")},
@@ -136,7 +118,8 @@ Design read_design(const std::string& path) {
   root.at("schema");
   design.model = model_from_json(root.at("model"), path, "model");
   design.scaling = scaling_from_json(root, design.model);
-  design.options = options_from_json(root);
+  design.options = options_from_json(root.at("made_by"), design.model, path);
+  design.certificate = certificate_from_json(root.at("certificate"), path);
   read_designs(root, design);
   JsonObject errors(root.at("errors"), path, "errors");
   design.ssee = errors_from_json(errors, "ssee", design.model);

@@ -1,5 +1,5 @@
 #pragma once
-// Design file, JSON, schema "ehm-design/1": everything in a Design, numbers in shortest exact form (they round-trip bit
+// Design file, JSON, schema "ehm-design/2": everything in a Design, numbers in shortest exact form (they round-trip bit
 // by bit), and the SHA-256 of the content without the hash itself. Whitespace and key order do not matter to the hash.
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace ehm::design {
 
-inline constexpr const char* design_schema = "ehm-design/1";
+inline constexpr const char* design_schema = "ehm-design/2";
 
 /// @throws FileError (one message: file, key, value, allowed, what to do) if the file is absent, not JSON, truncated,
 /// of

@@ -1,6 +1,6 @@
 #include "tuner_design/report/chart_frame.h"
 
-#include <spdlog/fmt/fmt.h>
+#include <fmt/format.h>
 
 #include "tuner_design/report/text.h"
 

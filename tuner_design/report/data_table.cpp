@@ -1,6 +1,6 @@
 #include "tuner_design/report/data_table.h"
 
-#include <spdlog/fmt/fmt.h>
+#include <fmt/format.h>
 
 #include <cctype>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tuner_design/report/html_table.h"
 
-#include <spdlog/fmt/fmt.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -61,7 +61,8 @@ TEST(Command, DesignIsDeterministic) {
 TEST(Command, DesignTableNamesEveryChannel) {
   const Result result = run({"design", "--model", model_on_disk(), "--out", test::temporary_path("t.json")});
   ASSERT_EQ(result.code, 0) << result.err;
-  for (const char* text : {"T40", "Fn", "h5", "closed form, V = H Ph", "without sensor", "slowest time constant"}) {
+  for (const char* text : {"T40", "Fn", "h5", "search for the least error of the Kalman filter",
+                           "Certificate: at an optimum", "without sensor", "slowest time constant"}) {
     EXPECT_THAT(result.out, HasSubstr(text));
   }
 }

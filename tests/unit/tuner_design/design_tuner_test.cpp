@@ -12,6 +12,7 @@
 #include "tuner_design/discretise.h"
 #include "tuner_design/kalman_error.h"
 #include "tuner_design/kalman_gain.h"
+#include "tuner_design/search/row_space.h"
 
 namespace ehm::bench {
 namespace {

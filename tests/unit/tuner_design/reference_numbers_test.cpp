@@ -34,6 +34,7 @@ class ReferenceNumbers : public ::testing::Test {
   design::Design designed(double qh) const {
     design::DesignOptions options;
     options.qh_percent2 = qh;
+    options.tuning = design::Tuning::closed_form;
     return design_tuner(model, options);
   }
   /// Kalman filter on given tuners at Qh = 1e-5.
@@ -121,6 +122,7 @@ TEST_F(ReferenceNumbers, Mapss) {
   const auto all = test::mapss();
   ASSERT_TRUE(all.has_value());
   design::DesignOptions options;
+  options.tuning = design::Tuning::closed_form;
   const design::Design unreduced = design_tuner(*all, options);
   EXPECT_TRUE(unreduced.full.V.isIdentity());
   EXPECT_EQ(unreduced.bayes_limit.health.sum(), 0.0) << "eleven sensors see all eight health parameters";

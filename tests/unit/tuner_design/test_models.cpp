@@ -96,33 +96,39 @@ LinearModel made_up_model(int sensors, int health) {
 }
 
 std::optional<LinearModel> jt9d_cruise() {
+  auto model = jt9d_point("alt35000_MN0.8_PC100");
+  if (model) model->name = "JT9D cruise reference";
+  return model;
+}
+
+std::optional<LinearModel> jt9d_point(const std::string& name) {
   const std::optional<Json> file = reference("jt9d_linear_models.json");
   if (!file) return std::nullopt;
-  const Json& point = file->at("models").at("alt35000_MN0.8_PC100");
+  const Json& point = file->at("models").at(name);
   const Json& trim = point.at("trim");
-  const auto channel = [&](const std::string& name, const std::string& unit) {
-    return estimation::Channel{name, unit, trim.at(name).get<double>()};
+  const auto channel = [&](const std::string& key, const std::string& unit) {
+    return estimation::Channel{key, unit, trim.at(key).get<double>()};
   };
   LinearModel model;
-  model.name = "JT9D cruise reference";
+  model.name = name;
   model.discrete = false;
   model.sample_time_s = 0.015;
   model.states = {channel("Nf", "rpm"), channel("Nc", "rpm")};
   model.controls = {channel("Wf", "lbm/s")};
-  for (const Json& name : file->at("health")) model.health.push_back({name.get<std::string>(), "fraction", 0.0});
+  for (const Json& health : file->at("health")) model.health.push_back({health.get<std::string>(), "fraction", 0.0});
   model.sensors = {channel("Nf", "rpm"),   channel("Nc", "rpm"),   channel("P24", "psia"), channel("T24", "degR"),
                    channel("P30", "psia"), channel("T30", "degR"), channel("T48", "degR")};
   model.auxiliary = {channel("T40", "degR"), channel("T50", "degR"), channel("Fn", "lbf"), channel("SmLPC", "percent")};
-  for (const auto& [name, target] : {std::pair<const char*, Eigen::MatrixXd*>{"A", &model.A},
-                                     {"B", &model.B},
-                                     {"L", &model.L},
-                                     {"C", &model.C},
-                                     {"D", &model.D},
-                                     {"M", &model.M},
-                                     {"F", &model.F},
-                                     {"G", &model.G},
-                                     {"N", &model.N}}) {
-    *target = matrix(point.at(name));
+  for (const auto& [key, target] : {std::pair<const char*, Eigen::MatrixXd*>{"A", &model.A},
+                                    {"B", &model.B},
+                                    {"L", &model.L},
+                                    {"C", &model.C},
+                                    {"D", &model.D},
+                                    {"M", &model.M},
+                                    {"F", &model.F},
+                                    {"G", &model.G},
+                                    {"N", &model.N}}) {
+    *target = matrix(point.at(key));
   }
   model.health_sigma = Eigen::VectorXd::Constant(10, 0.02);
   model.sensor_noise_sigma.resize(7);

@@ -31,6 +31,9 @@ estimation::LinearModel made_up_model(int sensors = 4, int health = 6);
 /// Temperatures in degR, pressures in psia, thrust in lbf.
 std::optional<estimation::LinearModel> jt9d_cruise();
 
+/// Its points: alt35000_MN0.8_PC100 (cruise), alt35000_MN0.8_PC80, alt0_MN0_PC100.
+std::optional<estimation::LinearModel> jt9d_point(const std::string& name);
+
 /// MAPSS military engine with the given sensors (all eleven if empty); nullopt where the reference data are absent.
 std::optional<estimation::LinearModel> mapss(const std::vector<int>& sensors = {});
 

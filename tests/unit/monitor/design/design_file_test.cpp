@@ -83,7 +83,7 @@ TEST_F(DesignFile, RoundTripIsExact) {
   EXPECT_EQ(read.scaling.sensor, design.scaling.sensor);
   EXPECT_EQ(read.scaling.auxiliary_unit, design.scaling.auxiliary_unit);
   EXPECT_EQ(read.options.qh_percent2, 1e-3);
-  EXPECT_EQ(read.options.method, design.options.method);
+  EXPECT_EQ(read.options.tuning, design.options.tuning);
   // Written again it is the same file.
   const std::string again = test::temporary_path("again.json");
   EXPECT_EQ(write_design(read, again), hash);
@@ -124,7 +124,7 @@ TEST_F(DesignFile, OlderSchemaAndOtherFilesAreRefused) {
   rewrite_with_hash(json);
   EXPECT_EQ(message_of(path),
             path +
-                ": schema is \"ehm-design/0\"; allowed: \"ehm-design/1\". The file is of another kind or "
+                ": schema is \"ehm-design/0\"; allowed: \"ehm-design/2\". The file is of another kind or "
                 "version: make the design with this version's tuner_design design.");
   rewrite("{}");
   EXPECT_EQ(message_of(path), path + ": key schema is missing. Add it.");

@@ -1,0 +1,94 @@
+#include "tuner_design/search/point_problem.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tuner_design/bayes_limit.h"
+
+namespace ehm::bench {
+namespace {
+
+void check_weights(const design::ErrorWeights& weights, Eigen::Index outputs) {
+  if (!weights.channel.empty() && static_cast<Eigen::Index>(weights.channel.size()) != outputs) {
+    throw std::invalid_argument("weights: " + std::to_string(weights.channel.size()) +
+                                " for the auxiliary outputs; expected " + std::to_string(outputs));
+  }
+  const auto good = [](double weight) { return weight >= 0.0 && std::isfinite(weight); };
+  bool all_good = good(weights.health) && good(weights.auxiliary);
+  for (const double weight : weights.channel) all_good = all_good && good(weight);
+  if (!all_good) throw std::invalid_argument("weights: allowed are finite numbers that are not negative");
+  const bool outputs_count = outputs > 0 && (weights.channel.empty() ||
+                                             *std::max_element(weights.channel.begin(), weights.channel.end()) > 0.0);
+  if (weights.health == 0.0 && (weights.auxiliary == 0.0 || !outputs_count))
+    throw std::invalid_argument("weights: all are zero, nothing is left to be good at");
+}
+
+/// Symmetric root of a covariance, for which a Cholesky factor need not exist.
+Eigen::MatrixXd root(const Eigen::MatrixXd& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+/// Gh, Gy, Gz: the fleet's health, and the linearisation error where it is known.
+void add_unknowns(PointProblem& point, const estimation::LinearModel& model, const std::vector<int>& sensors) {
+  const Eigen::Index p = model.L.cols(), m = model.C.rows(), r = model.F.rows();
+  const auto used = static_cast<Eigen::Index>(sensors.size());
+  const Eigen::Index more = model.linearisation_error.size() > 0 ? m + r : 0;
+  const Eigen::MatrixXd sigma = model.health_sigma.asDiagonal();
+  point.Gh.setZero(p, p + more);
+  point.Gy.setZero(used, p + more);
+  point.Gz.setZero(r, p + more);
+  point.Gh.leftCols(p) = sigma;
+  point.Gy.leftCols(p) = point.H * sigma;
+  point.Gz.leftCols(p) = point.Hz * sigma;
+  if (more == 0) return;
+  const Eigen::MatrixXd error = root(model.linearisation_error);
+  point.Gy.rightCols(more) = error(sensors, Eigen::all);
+  point.Gz.rightCols(more) = error.bottomRows(r);
+}
+
+}  // namespace
+
+PointProblem make_point_problem(const estimation::LinearModel& model, const estimation::SteadyGain& steady,
+                                const std::vector<int>& sensors, const design::ErrorWeights& weights) {
+  const Eigen::Index r = model.F.rows();
+  check_weights(weights, r);
+  PointProblem point;
+  point.name = model.name;
+  point.A = model.A;
+  point.L = model.L;
+  point.C = model.C(sensors, Eigen::all);
+  point.M = model.M(sensors, Eigen::all);
+  point.F = model.F;
+  point.N = model.N;
+  point.process_noise = model.process_noise;
+  point.sensor_variance = model.sensor_noise_sigma(sensors).cwiseAbs2();
+  point.health_covariance = model.health_sigma.cwiseAbs2().asDiagonal();
+  point.H = steady.H(sensors, Eigen::all);
+  point.Hz = steady.Hz;
+  add_unknowns(point, model, sensors);
+
+  constexpr double vanishes = 1e-9;  // of the prior
+  Eigen::VectorXd channel = Eigen::VectorXd::Ones(r);
+  std::copy(weights.channel.begin(), weights.channel.end(), channel.begin());
+  const Eigen::MatrixXd U = bayes_limit_factor(point.H, point.health_covariance);
+  const Eigen::VectorXd seen = (steady.Hz * U).rowwise().squaredNorm();
+  const Eigen::VectorXd prior = (steady.Hz * model.health_sigma.asDiagonal()).rowwise().squaredNorm();
+  const auto divisor = [&](double limit, double fleet) {
+    if (limit > vanishes * fleet) return limit;
+    point.limit_is_prior = point.limit_is_prior || fleet > 0.0;
+    return fleet;
+  };
+  point.health_limit = divisor(U.squaredNorm(), point.health_covariance.trace());
+  point.health_weight = weights.health / point.health_limit;
+  const double auxiliary_limit = divisor(channel.dot(seen), channel.dot(prior));
+  point.auxiliary_ratio = Eigen::VectorXd::Zero(r);
+  if (auxiliary_limit > 0.0) point.auxiliary_ratio = channel / auxiliary_limit;
+  point.auxiliary_weight = weights.auxiliary * point.auxiliary_ratio;
+  point.lower_bound = point.health_weight * U.squaredNorm() + point.auxiliary_weight.dot(seen);
+  return point;
+}
+
+}  // namespace ehm::bench
