@@ -11,6 +11,7 @@ namespace ehm::bench::report {
 namespace {
 
 constexpr int digits = 4, most_decimals = 5;
+constexpr int unlike = -1;  ///< decimals of a column that does not have its own
 
 std::string unit_of(const std::string& column) {
   const std::size_t unit = column.rfind(" [");
@@ -32,6 +33,7 @@ bool whole(const std::vector<double>& sizes) {
 
 /// Decimals that give the median of the columns with this unit `digits` significant digits; none for whole numbers.
 int decimals_of(const DataTable& table, std::size_t column) {
+  if (table.columns[column] == "value") return unlike;
   if (whole(sizes_of(table, column))) return 0;
   std::vector<double> sizes;
   for (std::size_t j = 0; j < table.columns.size(); ++j) {
@@ -47,6 +49,7 @@ int decimals_of(const DataTable& table, std::size_t column) {
 std::string cell_text(const Cell& cell, int decimals) {
   if (const auto* text = std::get_if<std::string>(&cell)) return escaped(*text);
   const double value = std::get<double>(cell);
+  if (decimals == unlike) return escaped(number(value, digits + 1));
   const bool vanishes = value != 0.0 && std::abs(value) < 0.95 * std::pow(10.0, -decimals);
   if (!std::isfinite(value) || value == 0.0 || vanishes || std::abs(value) >= 1e6)
     return escaped(number(value, vanishes ? 2 : digits));

@@ -1,6 +1,7 @@
 #pragma once
 // A DataTable as an HTML table: numbers right-aligned with the same number of decimals down a column, so that they can
-// be compared at a glance; what would vanish at that is written with a power of ten. Errors: none.
+// be compared at a glance; what would vanish at that is written with a power of ten. A column "value" holds unlike
+// quantities, each with its own decimals. Errors: none.
 
 #include <string>
 

@@ -1,10 +1,21 @@
 // What was designed and from what.
 
+#include "tuner_design/design_report.h"
 #include "tuner_design/report/sections.h"
 #include "tuner_design/report/text.h"
 
 namespace ehm::bench::report {
 namespace {
+
+std::string weights_of(const design::Design& design) {
+  const design::ErrorWeights& weights = design.options.weights;
+  std::string text = "health " + number(weights.health);
+  if (design.model.auxiliary.empty()) return text;
+  text += ", auxiliary outputs " + number(weights.auxiliary);
+  for (std::size_t i = 0; i < weights.channel.size(); ++i)
+    text += (i == 0 ? " (" : ", ") + design.model.auxiliary[i].name + " " + number(weights.channel[i]);
+  return !weights.channel.empty() ? text + ")" : text;
+}
 
 DataTable facts(const ReportData& data) {
   const auto& design = data.design;
@@ -32,9 +43,11 @@ DataTable facts(const ReportData& data) {
       "other auxiliary outputs in percent of trim");
   add("Linearisation error", model.linearisation_error.size() > 0 ? "measured, part of every published sigma"
                                                                   : "not given: the engine is taken as linear");
-  add("Method", design.options.method);
+  add("Tuners", reduction(design));
   add("Qh", quantity(design.options.qh_percent2, "percent²") + " per sample");
-  add("Seed", std::to_string(design.options.seed));
+  add("Weights in the objective", weights_of(design));
+  add("Search", counted(static_cast<std::size_t>(design.options.random_starts), "random start") + ", seed " +
+                    std::to_string(design.options.seed));
   add("Made by", design.options.created_by + " " + design.options.version);
   add("Design hash (SHA-256)", design.hash);
   return table;

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "deploy/files/atomic_file.h"
+#include "deploy/work/parallel_for.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
 #include "tuner_design/design_report.h"
@@ -15,6 +16,7 @@ namespace {
 
 struct ReportArguments {
   std::string design, out, csv_folder;
+  unsigned threads = work::all_cores();
   OutputOptions output;
 };
 
@@ -36,12 +38,20 @@ nlohmann::ordered_json page_as_json(const report::Page& page, const design::Desi
   return {{"report", file}, {"design", design_as_json(design)}, {"tables", std::move(tables)}};
 }
 
+report::Studies studies_of(const design::Design& design, const ReportArguments& arguments, const Console& console) {
+  constexpr std::size_t steps = 1000;
+  work::ProgressBar bar = progress_bar(console, arguments.output, steps);
+  return report::run_studies(design, {.threads = arguments.threads, .progress = [&](double share) {
+                                        bar.show(static_cast<std::size_t>(share * static_cast<double>(steps)));
+                                      }});
+}
+
 void write_report(const ReportArguments& arguments, const Console& console) {
   const design::Design design = design::read_design(arguments.design);
   std::error_code absent;
   if (std::filesystem::equivalent(arguments.design, arguments.out, absent))
     throw design::FileError(arguments.out + ": --out is the design itself; name another file for the report");
-  const report::Page page = report::design_page(design);
+  const report::Page page = report::design_page(design, studies_of(design, arguments, console));
   files::write_file_atomically(arguments.out, report::to_html(page));
   if (!arguments.csv_folder.empty()) write_csv_files(page, arguments.csv_folder);
   print_result(
@@ -62,6 +72,8 @@ void add_report_command(CLI::App& app, Action& run) {
   command->add_option("-o,--out", arguments->out, "Page to write")->required()->type_name("REPORT.html");
   command->add_option("--csv-dir", arguments->csv_folder, "Also write the numbers of each figure and table here")
       ->type_name("DIR");
+  command->add_option("--threads", arguments->threads, "The result does not depend on it; default: one a core")
+      ->check(CLI::Range(1, 1024));
   add_output_options(*command, arguments->output);
   command->callback(
       [arguments, &run] { run = [arguments](const Console& console) { write_report(*arguments, console); }; });

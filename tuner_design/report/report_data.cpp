@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 
 #include "monitor/design/make_error_model.h"
-#include "tuner_design/discretise.h"
+#include "tuner_design/prepared_point.h"
 
 namespace ehm::bench::report {
 namespace {
@@ -21,11 +21,13 @@ ErrorParts parts_of(const Eigen::MatrixXd& error, Eigen::Index p, const Eigen::M
 
 }  // namespace
 
-ReportData report_data(design::Design design) {
+ReportData report_data(design::Design design, Studies studies) {
   ReportData data;
   data.design = std::move(design);
-  data.model = estimation::scaled(discretise(data.design.model), data.design.scaling);
-  data.steady = estimation::steady_gain(data.model);
+  data.studies = std::move(studies);
+  PreparedPoint point = prepare(data.design.model);
+  data.model = std::move(point.model);
+  data.steady = std::move(point.steady);
   const design::SubsetDesign& full = data.design.full;
   const estimation::ErrorModel error = design::make_error_model(data.design, full);
   const Eigen::Index p = data.model.L.cols();

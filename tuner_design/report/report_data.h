@@ -8,6 +8,7 @@
 
 #include "monitor/design/design.h"
 #include "monitor/estimation/steady_gain.h"
+#include "tuner_design/report/studies.h"
 
 namespace ehm::bench::report {
 
@@ -23,6 +24,7 @@ struct ErrorParts {
 
 struct ReportData {
   design::Design design;
+  Studies studies;
   estimation::LinearModel model;  ///< discrete and scaled
   estimation::SteadyGain steady;  ///< of `model`
   ErrorParts health, auxiliary;
@@ -31,7 +33,7 @@ struct ReportData {
 };
 
 /// @throws std::runtime_error if I - A of the model or of the filter is singular.
-ReportData report_data(design::Design design);
+ReportData report_data(design::Design design, Studies studies);
 
 std::vector<std::string> names_of(const std::vector<estimation::Channel>& channels);
 

@@ -6,6 +6,7 @@
 #include "tuner_design/report/sections.h"
 #include "tuner_design/report/step_response.h"
 #include "tuner_design/report/text.h"
+#include "tuner_design/report/trade_figures.h"
 
 namespace ehm::bench::report {
 namespace {
@@ -78,6 +79,7 @@ Section response_section(const ReportData& data) {
       "changes at time 0. The blue line would reach the dashed one if the sensors could see that parameter "
       "alone; thin lines are what the filter takes for changes of the other parameters.",
       panels(charts), step_table(data, response));
+  add_trade_figures(section, data);
   return section;
 }
 

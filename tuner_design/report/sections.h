@@ -1,5 +1,5 @@
 #pragma once
-// The sections of a report, in its order. Each is a function of the data alone; none of them computes a design.
+// The sections of a report, in its order. Each is a function of the data alone.
 
 #include "tuner_design/report/page.h"
 #include "tuner_design/report/report_data.h"
@@ -12,11 +12,13 @@ Section summary_section(const ReportData& data);
 Section origin_section(const ReportData& data);
 /// Total errors against the limits and other estimators; sigma by channel with its parts.
 Section accuracy_section(const ReportData& data);
+/// The certificate of the tuners and the course of their search.
+Section optimum_section(const ReportData& data);
 /// Which combinations of health parameters the sensors see.
 Section observability_section(const ReportData& data);
 /// V* in physical names, and what remains of a health parameter in the estimate.
 Section tuner_section(const ReportData& data);
-/// How the filter answers a step.
+/// How the filter answers a step, and what speed costs.
 Section response_section(const ReportData& data);
 /// The designs for the case that a sensor fails.
 Section missing_sensor_section(const ReportData& data);

@@ -1,8 +1,6 @@
 // The report in words.
 
-#include <Eigen/SVD>
 #include <algorithm>
-#include <cmath>
 
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/report/sections.h"
@@ -50,31 +48,19 @@ std::string how_near(const ReportData& data) {
   return text;
 }
 
-/// Largest principal angle between the row space of V and that of H Ph, degrees.
-double angle_to_closed_form(const ReportData& data) {
-  if (data.steady.H.rows() >= data.steady.H.cols()) return 0.0;  // H Ph spans everything
-  const Eigen::MatrixXd Ph = data.model.health_sigma.cwiseAbs2().asDiagonal();
-  const Eigen::MatrixXd V = row_space(data.design.full.V), closed = row_space(data.steady.H * Ph);
-  // sin of the angles: V (I - closed^T closed), accurate for small ones
-  const Eigen::MatrixXd outside = V - V * closed.transpose() * closed;
-  const double sine = Eigen::JacobiSVD<Eigen::MatrixXd>(outside).singularValues()(0);
-  return std::asin(std::min(1.0, sine)) * 180.0 / M_PI;
-}
-
 std::string is_it_optimal(const ReportData& data) {
-  const Eigen::Index t = data.design.full.V.rows(), m = data.steady.H.rows(), p = data.steady.H.cols();
+  const design::Certificate& certificate = data.design.certificate;
+  const auto t = data.design.full.V.rows(), p = data.design.full.V.cols();
   if (t == p) return "There is no choice of tuners to be made, and so no better one.";
-  const double angle = angle_to_closed_form(data);
-  constexpr double same_degrees = 1e-4;
-  if (angle > same_degrees)
-    return "The tuners depart by up to " + number(angle) +
-           "° from H Ph, the closed form that has the least bias of all.";
-  if (t == m)
-    return "The tuners span H Ph, the closed form: no other choice has less bias, for health and for every auxiliary "
-           "output at once. What is above the limit is noise and lag, the price of the response time.";
-  return "The tuners span " + std::to_string(t) + " of the " + std::to_string(std::min(m, p)) +
-         " combinations of H Ph, the closed form with the least bias; what is left out is seen so weakly that the "
-         "model's own error would outweigh it.";
+  std::string text = certificate.at_optimum ? "The choice of the tuners is " : "Mind that the choice of the tuners is ";
+  text += certificate.verdict + ".";
+  if (certificate.at_optimum)
+    text += " What is above the limit is the price of the response time" +
+            std::string(
+                t < std::min(data.steady.H.rows(), p)
+                    ? ", and of combinations left out because the linear model errs more there than the sensors see."
+                    : ".");
+  return text;
 }
 
 std::string warning(const ReportData& data) {

@@ -83,7 +83,7 @@ double number_in(const Page& page, const std::string& table_id, const std::strin
 
 TEST(Report, PartsOfTheErrorAddUp) {
   for (const auto& model : {test::made_up_model(), with_linearisation_error(test::made_up_model())}) {
-    const ReportData data = report_data(design_tuner(model, {}));
+    const ReportData data = report_data(design_tuner(model, {}), {});
     for (const ErrorParts* parts : {&data.health, &data.auxiliary}) {
       const Eigen::VectorXd sum = parts->unseen + parts->noise + parts->linearisation;
       EXPECT_LT((sum - parts->total).cwiseAbs().maxCoeff(), 1e-9 * parts->total.maxCoeff());
@@ -98,7 +98,7 @@ TEST(Report, PartsOfTheErrorAddUp) {
 TEST(Report, StepResponseIsThatOfTheFilterThatFlies) {
   const estimation::LinearModel model = test::made_up_model();
   const design::Design design = design_tuner(model, {});
-  const ReportData data = report_data(design);
+  const ReportData data = report_data(design, {});
   const StepResponse response = step_response(design.full, data.model, 80);
   ASSERT_GT(response.time_s.size(), 40U);
 
@@ -128,7 +128,7 @@ TEST(Report, StepResponseIsThatOfTheFilterThatFlies) {
 
 TEST(Report, NumbersAreThoseOfTheDesign) {
   const design::Design design = design_tuner(with_linearisation_error(test::made_up_model()), {});
-  const Page page = design_page(design);
+  const Page page = design_page(design, {});
   const auto json = design_as_json(design);
   const std::string h = "SSEE(h) [percent²]", z = "SSEE(z) [mixed]";
   EXPECT_EQ(number_in(page, "totals", "This filter, linear engine", h), json["ssee_health"]["total"]);
@@ -148,10 +148,10 @@ TEST(Report, NumbersAreThoseOfTheDesign) {
 }
 
 TEST(Report, HtmlShowsNumbersOfItsTables) {
-  const std::string html = to_html(design_page(design_tuner(test::made_up_model(), {})));
+  const std::string html = to_html(design_page(design_tuner(test::made_up_model(), {}), {}));
   EXPECT_THAT(html, HasSubstr("<!DOCTYPE html>"));
   EXPECT_THAT(html, HasSubstr("times the Bayes limit"));
-  EXPECT_EQ(html, to_html(design_page(design_tuner(test::made_up_model(), {}))));  // same input, same bytes
+  EXPECT_EQ(html, to_html(design_page(design_tuner(test::made_up_model(), {}), {})));  // same input, same bytes
 }
 
 struct PageCase {
@@ -192,7 +192,7 @@ TEST(Report, EveryEngineMakesASoundPage) {
 
 TEST(Report, CheckOfPagesFindsDefects) {
   const test::TemporaryFolder folder;
-  const Page page = design_page(design_tuner(test::made_up_model(), {}));
+  const Page page = design_page(design_tuner(test::made_up_model(), {}), {});
   const std::string good = to_html(page);
   const std::filesystem::path numbers = folder.path("numbers");
   std::filesystem::create_directory(numbers);
