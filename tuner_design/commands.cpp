@@ -9,7 +9,9 @@
 #include "tuner_design/command.h"
 #include "tuner_design/design_command.h"
 #include "tuner_design/linearise_command.h"
+#include "tuner_design/monte_carlo/evaluate_command.h"
 #include "tuner_design/report/report_command.h"
+#include "tuner_design/studies/study_command.h"
 #include "tuner_design/sweep_command.h"
 
 namespace ehm::bench {
@@ -56,6 +58,8 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   add_linearise_command(app, run);
   add_design_command(app, run);
   add_sweep_command(app, run);
+  add_evaluate_command(app, run);
+  add_study_command(app, run);
   add_check_command(app, run);
   add_report_command(app, run);
   const std::string command = argc > 1 ? argv[1] : "";

@@ -1,5 +1,5 @@
 #pragma once
-// The command line of tuner_design: linearise, design, check. Exit codes:
+// The command line of tuner_design: linearise, design, check, evaluate. Exit codes:
 //   0 done    1 the data are wrong or a computation failed, the reason is on `err`    2 the command line is wrong
 
 #include <iosfwd>

@@ -11,6 +11,7 @@
 #include "tuner_design/kalman_gain.h"
 #include "tuner_design/map_estimator.h"
 #include "tuner_design/observability.h"
+#include "tuner_design/search/row_space.h"
 
 namespace ehm::bench {
 namespace {
@@ -124,18 +125,29 @@ void add_errors_and_limits(Design& design, const PreparedPoint& point) {
   design.reduced_map = by_channel(snapshot_error_covariance(reduced, H, Ph, R), Hz);
 }
 
-design::Certificate certificate_of(const Candidate& candidate, std::size_t point_index, const PreparedPoint& point,
-                                   const std::vector<int>& all) {
+design::Certificate certificate_of(const ChosenTuners& tuners, const SubsetDesign& filter, const PreparedPoint& point) {
   design::Certificate certificate;
-  certificate.starts = candidate.tuners.search.starts;
-  certificate.closed_form_objective = candidate.tuners.closed_form;
-  certify(certificate, candidate.tuners.problem, candidate.tuners.search.V);
-  const Observability observability = observability_of(point, all);
-  const SubsetDesign& filter = candidate.filters[point_index];
+  certificate.starts = tuners.search.starts;
+  certificate.closed_form_objective = tuners.closed_form;
+  certify(certificate, tuners.problem, tuners.search.V);
+  const Observability observability = observability_of(point, filter.sensors);
   certificate.steady_singular_values = observability.singular_values;
   certificate.condition = observability.condition;
   certificate.pair_singular_values = pair_singular_values(filter.A, filter.C, point.model.sensor_noise_sigma);
   return certificate;
+}
+
+/// All of a design but those for a missing sensor.
+Design full_design(const LinearModel& model, const PreparedPoint& point, const DesignOptions& options,
+                   const ChosenTuners& tuners, SubsetDesign filter) {
+  Design design;
+  design.model = model;
+  design.options = options;
+  design.scaling = point.scaling;
+  design.certificate = certificate_of(tuners, filter, point);
+  design.full = std::move(filter);
+  add_errors_and_limits(design, point);
+  return design;
 }
 
 void require_same_channels(const std::vector<LinearModel>& models) {
@@ -174,6 +186,19 @@ Eigen::MatrixXd full_set_tuners(const Envelope& envelope, const DesignOptions& o
   return design_full(envelope, all_sensors(envelope.points.front().model), options, 0, 1).tuners.search.V;
 }
 
+Design design_on_tuners(const LinearModel& model, const Eigen::MatrixXd& V, double qh_percent2) {
+  const PreparedPoint point = prepare(model);
+  DesignOptions options;
+  options.qh_percent2 = qh_percent2;
+  options.tuning = design::Tuning::closed_form;
+  ChosenTuners tuners = choose_tuners({{point}, {1.0}}, all_sensors(model), V.rows(), options, 0, 1);
+  tuners.search.V = row_space(V);
+  Design design =
+      full_design(model, point, options, tuners, filter_on(point, all_sensors(model), tuners.search.V, qh_percent2));
+  design.missing.resize(model.sensors.size());
+  return design;
+}
+
 std::vector<Design> design_envelope(const std::vector<LinearModel>& models, const std::vector<double>& weights,
                                     const DesignOptions& options, unsigned threads) {
   if (!(options.qh_percent2 > 0.0) || !std::isfinite(options.qh_percent2)) {
@@ -194,13 +219,7 @@ std::vector<Design> design_envelope(const std::vector<LinearModel>& models, cons
   std::vector<Design> designs;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const PreparedPoint& point = envelope.points[i];
-    Design design;
-    design.model = models[i];
-    design.options = options;
-    design.scaling = point.scaling;
-    design.full = full.filters[i];
-    design.certificate = certificate_of(full, i, point, all);
-    add_errors_and_limits(design, point);
+    Design design = full_design(models[i], point, options, full.tuners, full.filters[i]);
     for (const int absent : all) design.missing.push_back(design_without(absent, point, options));
     designs.push_back(std::move(design));
   }

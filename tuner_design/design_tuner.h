@@ -28,6 +28,10 @@ design::Design design_tuner(const estimation::LinearModel& model, const design::
 /// V* of the full sensor set as design_envelope chooses it, but for the random starts.
 Eigen::MatrixXd full_set_tuners(const Envelope& envelope, const design::DesignOptions& options);
 
+/// The design on given tuners V, with a certificate of the Kalman filter's error at equal weights. No search, and no
+/// designs for a missing sensor: for studies, not for flight.
+design::Design design_on_tuners(const estimation::LinearModel& model, const Eigen::MatrixXd& V, double qh_percent2);
+
 /// One V* for all models, one design for each. `weights`: one for each model, above zero.
 /// @throws as design_tuner, and std::invalid_argument if the models' health parameters, sensors, auxiliary outputs or
 ///         units differ (says which model and what).

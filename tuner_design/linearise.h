@@ -32,6 +32,9 @@ struct SensorLags {
 
 enum class LineariseMethod { perturbation, fleet };
 
+/// T40 of power code 100 at 35 000 ft, Mach 0.8 (2355.4 degR, reference/jt9d_npss_cases.csv).
+inline constexpr double cruise_t40_k = 1308.6;
+
 struct LineariseOptions {
   engine::FlightCondition flight;
   engine::HealthVector health{};

@@ -13,9 +13,6 @@
 namespace ehm::bench {
 namespace {
 
-/// T40 of power code 100 at 35 000 ft, Mach 0.8 (2355.4 degR, reference/jt9d_npss_cases.csv).
-constexpr double cruise_t40_k = 1308.6;
-
 struct Arguments {
   std::string out;
   engine::FlightCondition flight{10668.0, 0.8, 0.0};

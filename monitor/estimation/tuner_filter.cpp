@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "monitor/estimation/matrix_vector_product.h"
+
 namespace ehm::estimation {
 namespace {
 
@@ -36,43 +38,73 @@ void check_gain(const std::string& set, const SubsetGain& gain, const TunerFilte
   require_shape(set + " auxiliary_noise_covariance", gain.auxiliary_noise_covariance, r, r);
 }
 
+/// q[k+1] = q[k], and h = W q.
+void check_tuner_structure(const std::string& set, const SubsetGain& gain, Eigen::Index states) {
+  const Eigen::Index tuners = gain.A.rows() - states;
+  const bool constant = tuners >= 1 && gain.A.bottomLeftCorner(tuners, states).isZero(0.0) &&
+                        gain.A.bottomRightCorner(tuners, tuners).isIdentity(0.0) &&
+                        gain.B.bottomRows(tuners).isZero(0.0);
+  if (!constant) {
+    throw std::invalid_argument("tuner filter: " + set + " the last " + std::to_string(tuners) +
+                                " rows of A and B move the tuners; expected [0, I] and 0, at least one row");
+  }
+  if (!gain.health_output.leftCols(states).isZero(0.0))
+    throw std::invalid_argument("tuner filter: " + set + " health_output has states in it; expected [0, W]");
+}
+
 }  // namespace
 
 TunerFilter::TunerFilter(TunerFilterModel model) : model_(std::move(model)) {
   require_shape("G", model_.G, model_.auxiliary_trim.size(), model_.D.cols());
   check_gain("full set:", model_.full, model_);
-  if (model_.states < 1 || model_.full.A.rows() <= model_.states) {
-    throw std::invalid_argument("tuner filter: states is " + std::to_string(model_.states) +
-                                "; expected 1 or more, and at least one tuner besides");
+  if (model_.states < 1 || model_.states > max_states || model_.full.A.rows() <= model_.states) {
+    throw std::invalid_argument("tuner filter: states is " + std::to_string(model_.states) + "; expected 1 to " +
+                                std::to_string(max_states) + ", and at least one tuner besides");
   }
+  check_tuner_structure("full set:", model_.full, model_.states);
   if (model_.missing.size() != static_cast<std::size_t>(model_.D.rows())) {
     throw std::invalid_argument("tuner filter: " + std::to_string(model_.missing.size()) +
                                 " designs for a missing sensor; expected one entry for each of the " +
                                 std::to_string(model_.D.rows()) + " sensors");
   }
   for (std::size_t i = 0; i < model_.missing.size(); ++i) {
-    if (model_.missing[i]) check_gain("without sensor " + std::to_string(i) + ":", *model_.missing[i], model_);
+    if (!model_.missing[i]) continue;
+    const std::string set = "without sensor " + std::to_string(i) + ":";
+    check_gain(set, *model_.missing[i], model_);
+    check_tuner_structure(set, *model_.missing[i], model_.states);
   }
+  minus_D_ = -model_.D;
+  full_step_ = step_of(model_.full);
+  for (const auto& subset : model_.missing) missing_step_.push_back(subset ? step_of(*subset) : Step{});
   innovation_.setZero(model_.D.rows());
   fused_innovation_.setZero(model_.D.rows());
-  actuators_.setZero(model_.D.cols());
   health_ = model_.health_trim;
   auxiliary_ = model_.auxiliary_trim;
   reset();
 }
 
+TunerFilter::Step TunerFilter::step_of(const SubsetGain& gain) const {
+  const Eigen::Index n = model_.states, a = gain.A.rows(), m = model_.D.rows(), nu = model_.D.cols();
+  Step step;
+  step.prediction.resize(n + m, a + nu);
+  step.prediction << gain.A.topRows(n), gain.B.topRows(n), -gain.C * gain.A, -gain.C * gain.B;
+  step.auxiliary.resize(model_.G.rows(), a + nu);
+  step.auxiliary << gain.auxiliary_output, model_.G;
+  return step;
+}
+
 void TunerFilter::predict(const ActuatorVector& du_previous) noexcept {
-  // xpred = Axq xhat[k-1] + Bxq u[k-1]
-  predicted_.noalias() = gain().A * estimate_;
-  predicted_.noalias() += gain().B * du_previous;
+  // xpred = Axq xhat[k-1] + Bxq u[k-1] and what the sensors should then read
+  updated_.tail(du_previous.size()) = du_previous;
+  predicted_.setZero();
+  add_product(step().prediction, updated_.data(), predicted_.data());
 }
 
 void TunerFilter::innovation(const SensorVector& dy, const ActuatorVector& du) noexcept {
   // nu = y[k] - Cxq xpred - D u[k]
-  actuators_ = du;
-  innovation_ = dy;
-  innovation_.noalias() -= gain().C * predicted_;
-  innovation_.noalias() -= model_.D * actuators_;
+  updated_.tail(du.size()) = du;
+  innovation_ = dy + predicted_.tail(dy.size());
+  add_product(minus_D_, du.data(), innovation_.data());
 }
 
 void TunerFilter::update(SensorMask fused) noexcept {
@@ -82,8 +114,8 @@ void TunerFilter::update(SensorMask fused) noexcept {
     fused_innovation_(i) = used[static_cast<std::size_t>(i)] ? innovation_(i) : 0.0;
   }
   // xhat = xpred + K nu
-  estimate_ = predicted_;
-  estimate_.noalias() += gain().K * fused_innovation_;
+  updated_.head(model_.states) = predicted_.head(model_.states);
+  add_product(gain().K, fused_innovation_.data(), updated_.data());
   read_out();
 }
 
@@ -92,26 +124,30 @@ bool TunerFilter::switch_sensor_set(SensorSet set) noexcept {
   if (set == set_) return true;
   // Through the full set: exact, because each step keeps the predicted sensors of the smaller set.
   if (!set_.is_full()) {
-    scratch_.noalias() = gain().to_full * estimate_;
-    estimate_ = scratch_;
+    re_reference(gain().to_full);
     set_ = SensorSet::full();
   }
   if (!set.is_full()) {
     set_ = set;
-    scratch_.noalias() = gain().from_full * estimate_;
-    estimate_ = scratch_;
+    re_reference(gain().from_full);
   }
-  predicted_ = estimate_;
   read_out();
   return true;
 }
 
+void TunerFilter::re_reference(const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept {
+  const Eigen::Index nu = model_.D.cols();
+  re_referenced_.setZero(transfer.rows() + nu);
+  re_referenced_.tail(nu) = updated_.tail(nu);
+  add_product(transfer, updated_.data(), re_referenced_.data());
+  updated_ = re_referenced_;
+}
+
 void TunerFilter::reset() noexcept {
   set_ = SensorSet::full();
-  estimate_.setZero(model_.full.A.rows());
-  predicted_ = estimate_;
+  updated_.setZero(model_.full.A.rows() + model_.D.cols());
+  predicted_.setZero(model_.states + model_.D.rows());
   innovation_.setZero();
-  actuators_.setZero();
   read_out();
 }
 
@@ -122,13 +158,13 @@ bool TunerFilter::available(SensorSet set) const noexcept {
 }
 
 void TunerFilter::read_out() noexcept {
-  // h = h_trim + Th xhat
+  // h = h_trim + W q, of Th = [0, W]
   health_ = model_.health_trim;
-  health_.noalias() += gain().health_output * estimate_;
+  const Eigen::Index n = model_.states, t = gain().A.rows() - n;
+  add_product(gain().health_output.rightCols(t), updated_.data() + n, health_.data());
   // z = z_trim + Tz xhat + G u[k]
   auxiliary_ = model_.auxiliary_trim;
-  auxiliary_.noalias() += gain().auxiliary_output * estimate_;
-  auxiliary_.noalias() += model_.G * actuators_;
+  add_product(step().auxiliary, updated_.data(), auxiliary_.data());
 }
 
 }  // namespace ehm::estimation

@@ -7,8 +7,9 @@
 //   h     = h_trim + Th xhat                  z = z_trim + Tz xhat + G u[k]
 //
 // xhat = [x; q], n + t. y and u are deviations from trim in channel units, and so are nu, h and z; x and q are scaled
-// inside. A sensor that stays away gets another design (switch_sensor_set): zeroing its gain for good would leave an
-// eigenvalue of exactly 1. Deterministic; no clock, allocation, lock or exception after construction.
+// inside. q is constant from sample to sample: Axq = [A, L W; 0, I], Bxq = [B; 0]. A sensor that stays away gets
+// another design (switch_sensor_set): zeroing its gain for good would leave an eigenvalue of exactly 1. Deterministic;
+// no clock, allocation, lock or exception after construction.
 
 #include <array>
 #include <optional>
@@ -89,9 +90,11 @@ class TunerFilter {
   [[nodiscard]] const HealthVector& health() const noexcept { return health_; }
   [[nodiscard]] const AuxiliaryVector& auxiliary() const noexcept { return auxiliary_; }
   /// xhat = [x; q] of the present design, scaled.
-  [[nodiscard]] const AugmentedVector& estimate() const noexcept { return estimate_; }
+  [[nodiscard]] AugmentedVector estimate() const noexcept { return updated_.head(gain().A.rows()); }
   /// q, in percent of health.
-  [[nodiscard]] TunerVector tuners() const noexcept { return estimate_.tail(estimate_.size() - model_.states); }
+  [[nodiscard]] TunerVector tuners() const noexcept {
+    return updated_.segment(model_.states, gain().A.rows() - model_.states);
+  }
 
   /// Total error over the fleet (bias and noise, THEORY section 4): the published standard deviation.
   [[nodiscard]] const HealthVector& health_sigma_total() const noexcept { return gain().health_sigma_total; }
@@ -112,16 +115,29 @@ class TunerFilter {
   [[nodiscard]] const TunerFilterModel& model() const noexcept { return model_; }
 
  private:
+  /// The matrices of one sensor set as a step uses them, each on [xhat; u].
+  struct Step {
+    BoundedMatrix<max_states + max_sensors, max_augmented + max_actuators> prediction;  ///< [Ax B; -C Axq, -C Bxq]
+    BoundedMatrix<max_auxiliary, max_augmented + max_actuators> auxiliary;              ///< [Tz, G]
+  };
+
+  Step step_of(const SubsetGain& gain) const;
+  const Step& step() const noexcept {
+    return set_.is_full() ? full_step_ : missing_step_[static_cast<std::size_t>(set_.missing())];
+  }
+  void re_reference(const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept;
   void read_out() noexcept;
 
   TunerFilterModel model_;
+  BoundedMatrix<max_sensors, max_actuators> minus_D_;
+  Step full_step_;
+  std::vector<Step> missing_step_;  ///< as model_.missing
   SensorSet set_ = SensorSet::full();
-  AugmentedVector estimate_;   ///< xhat
-  AugmentedVector predicted_;  ///< xpred
-  AugmentedVector scratch_;    ///< result of a re-reference before it replaces xhat
+  BoundedVector<max_augmented + max_actuators> updated_;        ///< [xhat; u]: u[k-1] in predict, then u[k]
+  BoundedVector<max_states + max_sensors> predicted_;           ///< [states of xpred; -Cxq xpred]; q stays in updated_
+  BoundedVector<max_augmented + max_actuators> re_referenced_;  ///< before it replaces updated_
   SensorVector innovation_;
   SensorVector fused_innovation_;
-  ActuatorVector actuators_;  ///< u[k]
   HealthVector health_;
   AuxiliaryVector auxiliary_;
 };

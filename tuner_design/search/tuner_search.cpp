@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "deploy/work/parallel_for.h"
+#include "tuner_design/search/blind_tuner.h"
 #include "tuner_design/search/kalman_objective.h"
 #include "tuner_design/search/map_objective.h"
 #include "tuner_design/search/row_space.h"
@@ -18,7 +19,7 @@ constexpr int evaluations_a_chart = 40;  ///< then the chart is centred anew: fa
 constexpr int max_charts = 60;
 constexpr double gradient_vanishes = 1e-8;  ///< of J
 constexpr double same_end = 1e-12;          ///< relative
-constexpr double improves = 1e-14;          ///< relative; less is rounding
+constexpr double improves = 1e-12;          ///< relative; less is rounding
 
 /// What one run of NLopt sees and remembers. NLopt may end anywhere, also by an exception at an optimum: the best
 /// point is kept here.
@@ -72,14 +73,9 @@ struct Ended {
   std::vector<double> history;
 };
 
-Ended search_from(const SearchProblem& problem, const NamedTuners& start) {
-  Ended end{row_space(start.V), {start.name}, {}};
-  Eigen::MatrixXd gradient;
-  end.start.first = end.start.last = objective(problem, end.V, &gradient);
-  end.start.gradient_norm = gradient.norm();
-  end.history.push_back(end.start.first);
-  const bool free = end.V.rows() < end.V.cols();
-  for (int i = 0; free && i < max_charts && end.start.gradient_norm > gradient_vanishes * end.start.last; ++i) {
+/// From end.V, whose objective is known, down to where nothing improves.
+void descend(const SearchProblem& problem, Ended& end) {
+  for (int i = 0; i < max_charts && end.start.gradient_norm > gradient_vanishes * end.start.last; ++i) {
     const RowSpaceChart chart(end.V);
     Run run{problem, chart, end.history, end.start.last, Eigen::VectorXd(), end.start.gradient_norm};
     minimise(run);
@@ -90,26 +86,34 @@ Ended search_from(const SearchProblem& problem, const NamedTuners& start) {
     end.start.gradient_norm = run.gradient_norm;
     if (before - run.best <= improves * before) break;
   }
-  end.start.evaluations = static_cast<int>(end.history.size());
-  return end;
 }
 
-/// Seeded row spaces, uniform on the Grassmannian: those of normal matrices. Box-Muller on the standard's generator,
-/// the same everywhere.
-std::vector<NamedTuners> random_starts(Eigen::Index t, Eigen::Index p, int count, std::uint64_t seed) {
-  std::mt19937_64 generator(seed);
-  const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 1.0) * 0x1p-53; };
-  const auto normal = [&] {
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return radius * std::cos(2.0 * std::acos(-1.0) * uniform());
-  };
-  std::vector<NamedTuners> starts;
-  for (int i = 1; i <= count; ++i) {
-    Eigen::MatrixXd V(t, p);
-    for (double& entry : V.reshaped()) entry = normal();
-    starts.push_back({"random " + std::to_string(i), std::move(V)});
+void go_to(const SearchProblem& problem, const Eigen::MatrixXd& V, Ended& end) {
+  Eigen::MatrixXd gradient;
+  end.V = V;
+  end.start.last = objective(problem, V, &gradient);
+  end.start.gradient_norm = gradient.norm();
+  end.history.push_back(end.history.empty() ? end.start.last : std::min(end.history.back(), end.start.last));
+}
+
+Ended search_from(const SearchProblem& problem, const NamedTuners& start) {
+  Ended end{{}, {start.name}, {}};
+  go_to(problem, row_space(start.V), end);
+  end.start.first = end.start.last;
+  if (end.V.rows() < end.V.cols()) {
+    descend(problem, end);
+    for (Eigen::Index i = 0; i < end.V.rows(); ++i) {
+      const std::optional<Eigen::MatrixXd> other = without_blind_tuner(problem, end.V);
+      if (!other) break;
+      Ended again = end;
+      go_to(problem, *other, again);
+      descend(problem, again);
+      if (!(again.start.last < end.start.last)) break;
+      end = std::move(again);
+    }
   }
-  return starts;
+  end.start.evaluations = static_cast<int>(end.history.size());
+  return end;
 }
 
 void check(const SearchProblem& problem, const std::vector<NamedTuners>& starts) {
@@ -152,12 +156,29 @@ double objective(const SearchProblem& problem, const Eigen::MatrixXd& V, Eigen::
   return sum / weights;
 }
 
+std::vector<NamedTuners> random_tuners(Eigen::Index t, Eigen::Index p, int count, std::uint64_t seed) {
+  // Row spaces of normal matrices. Box-Muller on the standard's generator: the same everywhere.
+  std::mt19937_64 generator(seed);
+  const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 1.0) * 0x1p-53; };
+  const auto normal = [&] {
+    const double radius = std::sqrt(-2.0 * std::log(uniform()));
+    return radius * std::cos(2.0 * std::acos(-1.0) * uniform());
+  };
+  std::vector<NamedTuners> starts;
+  for (int i = 1; i <= count; ++i) {
+    Eigen::MatrixXd V(t, p);
+    for (double& entry : V.reshaped()) entry = normal();
+    starts.push_back({"random " + std::to_string(i), std::move(V)});
+  }
+  return starts;
+}
+
 SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& options) {
   std::vector<NamedTuners> starts = options.starts;
   check(problem, starts);
   const Eigen::MatrixXd& first = starts.front().V;
   if (first.rows() < first.cols()) {
-    const auto more = random_starts(first.rows(), first.cols(), options.random_starts, options.seed);
+    const auto more = random_tuners(first.rows(), first.cols(), options.random_starts, options.seed);
     starts.insert(starts.end(), more.begin(), more.end());
   }
   std::vector<Ended> ends(starts.size());

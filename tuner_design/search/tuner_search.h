@@ -2,7 +2,8 @@
 // Minimises J over row spaces, for one or several operating points with one V (an envelope):
 //   J(V) = sum_i weight_i J_i(V) / sum_i weight_i          J_i: kalman_objective.h or map_objective.h
 // NLopt's LD_LBFGS in the coordinates of a chart (row_space.h); the chart is centred anew on the best point after some
-// 40 evaluations, until the gradient vanishes or nothing improves. From each start: the given ones and `random_starts`
+// 40 evaluations, until the gradient vanishes or nothing improves; a blind tuner is then
+// replaced (blind_tuner.h), and the descent goes on. From each start: the given ones and `random_starts`
 // seeded random row spaces; starts are independent, so that the result is the same on any number of threads. The
 // Hessian at the best point, by differences of gradients, tells a minimum from a saddle and what could still be gained.
 // Source: THEORY sections 5, 6, 10.
@@ -36,6 +37,9 @@ struct NamedTuners {
   std::string name;
   Eigen::MatrixXd V;  ///< full row rank
 };
+
+/// Seeded row spaces, uniform on the Grassmannian, named "random 1" and so on; t x p.
+std::vector<NamedTuners> random_tuners(Eigen::Index t, Eigen::Index p, int count, std::uint64_t seed);
 
 struct SearchOptions {
   std::vector<NamedTuners> starts;

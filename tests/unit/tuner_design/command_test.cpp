@@ -51,6 +51,50 @@ TEST(Command, DesignPrintsOneJsonObjectAndWritesTheFile) {
   EXPECT_THAT(run({"check", out}).out, HasSubstr(design.hash));
 }
 
+std::string design_on_disk() {
+  const std::string path = test::temporary_path("evaluated_design.json");
+  EXPECT_EQ(run({"design", "--model", model_on_disk(), "--out", path, "--qh", "1e-3", "--quiet"}).code, 0);
+  return path;
+}
+
+TEST(Command, EvaluatePrintsTheSameNumbersAsTableJsonAndCsv) {
+  const std::string csv = test::temporary_path("evaluation.csv");
+  std::vector<std::string> arguments{"evaluate", design_on_disk(), "--runs", "40",    "--engines", "500", "--seconds",
+                                     "1.5",      "--window",       "0.6",    "--csv", csv};
+  const Result table = run(arguments);
+  ASSERT_EQ(table.code, 0) << table.err;
+  EXPECT_THAT(table.out, HasSubstr("Truth: the design's own linear model, without process noise"));
+  arguments.push_back("--json");
+  const auto json = nlohmann::json::parse(run(arguments).out);
+  ASSERT_EQ(json.at("experiments").size(), 3U);
+  const auto& kalman = json.at("experiments")[0];
+  EXPECT_EQ(kalman.at("estimator"), "Kalman filter");
+  EXPECT_EQ(kalman.at("engines"), 40);
+  const auto& total = kalman.at("health").at("total");
+  const double off = (total.at("experiment").get<double>() - total.at("theory").get<double>()) /
+                     total.at("standard_error").get<double>();
+  EXPECT_NEAR(total.at("off_by").get<double>(), off, 1e-12);
+  std::ifstream stream(csv);
+  std::string head, first;
+  std::getline(stream, head), std::getline(stream, first);
+  EXPECT_THAT(head, StartsWith("estimator,truth,channel,"));
+  EXPECT_THAT(first, StartsWith("\"Kalman filter\",linear,h0,percent,"));
+}
+
+TEST(Command, EvaluateTellsWhatItCannotFly) {
+  const std::string file = design_on_disk();
+  const Result nonlinear = run({"evaluate", file, "--truth", "nonlinear"});
+  EXPECT_EQ(nonlinear.code, 2);
+  EXPECT_THAT(nonlinear.err, HasSubstr(file + ": nonlinear truth: the design is for the engine type ''"));
+  EXPECT_TRUE(nonlinear.out.empty());
+  const Result window = run({"evaluate", file, "--seconds", "5", "--window", "6"});
+  EXPECT_EQ(window.code, 2);
+  EXPECT_THAT(window.err, HasSubstr("a window of 6 s at the end of a run of 5 s; allowed: "));
+  EXPECT_EQ(run({"evaluate", file, "--runs", "1"}).code, 2);
+  EXPECT_EQ(run({"evaluate", file, "--truth", "all"}).code, 2);
+  EXPECT_EQ(run({"evaluate", model_on_disk()}).code, 2) << "a model is no design";
+}
+
 TEST(Command, DesignIsDeterministic) {
   const std::string model = model_on_disk();
   const Result a = run({"design", "--model", model, "--out", test::temporary_path("a.json"), "--json"});
@@ -104,7 +148,7 @@ TEST(Command, WrongFilesExitWithTwoAndName) {
 TEST(Command, WrongUsageExitsWithTwo) {
   EXPECT_EQ(run({}).code, 2);
   EXPECT_EQ(run({"fly"}).code, 2);
-  EXPECT_EQ(run({"desing"}).err, "tuner_design: unknown command 'desing'; allowed are linearise, design, check\n");
+  EXPECT_EQ(run({"desing"}).err, "tuner_design: unknown command 'desing'; allowed are linearise, design, check, evaluate\n");
   EXPECT_EQ(run({"design", "--model", "m", "--out", "d", "--qh", "1e6"}).code, 2);
   EXPECT_EQ(run({"design"}).code, 2);
   for (const char* qh : {"-1", "0", "nan", "inf", "fast"}) {

@@ -228,5 +228,29 @@ TEST(TunerFilter, MatricesThatDoNotFitAreNamed) {
   }
 }
 
+TEST(TunerFilter, RefusesTunersThatMoveByThemselves) {
+  TunerFilterModel model = Bench().filter.model();
+  model.full.A(3, 3) = 0.99;
+  try {
+    TunerFilter filter(model);
+    FAIL() << "a decaying tuner was accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "tuner filter: full set: the last 4 rows of A and B move the tuners; expected [0, I] and 0, at least "
+                 "one row");
+  }
+}
+
+TEST(TunerFilter, RefusesHealthThatIsReadFromStates) {
+  TunerFilterModel model = Bench().filter.model();
+  model.missing[1]->health_output(0, 1) = 1e-3;
+  try {
+    TunerFilter filter(model);
+    FAIL() << "health read from a state was accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "tuner filter: without sensor 1: health_output has states in it; expected [0, W]");
+  }
+}
+
 }  // namespace
 }  // namespace ehm::estimation

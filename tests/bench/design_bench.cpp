@@ -1,0 +1,114 @@
+// What a design costs, at 7 sensors and 10 health parameters (our engine at cruise, tangent model):
+//   one objective with its adjoint gradient, the same gradient by central differences over the entries of V*, their
+//   ratio in this run, and a whole design from 10 starts with its designs for a missing sensor, on one thread.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "engine_sim/model/engines/jt9d.h"
+#include "tuner_design/choose_tuners.h"
+#include "tuner_design/design_tuner.h"
+#include "tuner_design/linearise.h"
+#include "tuner_design/search/kalman_objective.h"
+#include "tuner_design/search/row_space.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::bench;
+
+constexpr double qh_percent2 = 1e-3;
+
+struct Cruise {
+  Cruise() {
+    LineariseOptions options;
+    options.flight = {10668.0, 0.8, 0.0};
+    options.demand = {engine::DemandKind::t40_k, cruise_t40_k};
+    options.fleet = 0;
+    model = linearise(engine::Turbofan(engine::jt9d()), options).model;
+    const PreparedPoint prepared = prepare(model);
+    point = make_point_problem(prepared.model, prepared.steady, all_sensors(model), {});
+    V = row_space(point.H * point.health_covariance);
+  }
+  estimation::LinearModel model;
+  PointProblem point;
+  Eigen::MatrixXd V;
+};
+
+const Cruise& cruise() {
+  static const Cruise value;
+  return value;
+}
+
+double central_differences(Eigen::MatrixXd& gradient) {
+  constexpr double step = 1e-6;
+  Eigen::MatrixXd moved = cruise().V;
+  gradient.resize(moved.rows(), moved.cols());
+  for (Eigen::Index i = 0; i < moved.size(); ++i) {
+    const double entry = moved(i);
+    moved(i) = entry + step;
+    const double up = *kalman_objective(cruise().point, row_space(moved), qh_percent2);
+    moved(i) = entry - step;
+    gradient(i) = (up - *kalman_objective(cruise().point, row_space(moved), qh_percent2)) / (2.0 * step);
+    moved(i) = entry;
+  }
+  return gradient.norm();
+}
+
+void Objective(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(kalman_objective(cruise().point, cruise().V, qh_percent2));
+}
+BENCHMARK(Objective)->Unit(benchmark::kMicrosecond);
+
+void ObjectiveWithGradient(benchmark::State& state) {
+  Eigen::MatrixXd gradient;
+  for (auto _ : state) benchmark::DoNotOptimize(kalman_objective(cruise().point, cruise().V, qh_percent2, &gradient));
+}
+BENCHMARK(ObjectiveWithGradient)->Unit(benchmark::kMicrosecond);
+
+void GradientByCentralDifferences(benchmark::State& state) {
+  Eigen::MatrixXd gradient;
+  for (auto _ : state) benchmark::DoNotOptimize(central_differences(gradient));
+}
+BENCHMARK(GradientByCentralDifferences)->Unit(benchmark::kMicrosecond);
+
+void DesignFromTenStarts(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(design_tuner(cruise().model, {}, 1));
+}
+BENCHMARK(DesignFromTenStarts)->Unit(benchmark::kMillisecond);
+
+template <typename Work>
+double seconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Least of many rounds each, alternating, so that an interruption of the machine spoils neither.
+void print_ratio() {
+  constexpr int rounds = 200;
+  double adjoint_s = 1.0, differences_s = 1.0;
+  Eigen::MatrixXd adjoint, differences;
+  for (int i = 0; i < rounds; ++i) {
+    adjoint_s =
+        std::min(adjoint_s, seconds([&] {
+                   benchmark::DoNotOptimize(kalman_objective(cruise().point, cruise().V, qh_percent2, &adjoint));
+                 }));
+    differences_s = std::min(differences_s, seconds([&] { central_differences(differences); }));
+  }
+  std::printf("gradient by central differences / adjoint: %.0f times the time (%.0f and %.1f us, least of %d)\n",
+              differences_s / adjoint_s, 1e6 * differences_s, 1e6 * adjoint_s, rounds);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  print_ratio();
+  return 0;
+}

@@ -1,0 +1,202 @@
+#include "tuner_design/monte_carlo/kalman_experiment.h"
+
+#include <Eigen/Eigenvalues>
+#include <stdexcept>
+
+#include "monitor/design/make_error_model.h"
+#include "monitor/design/make_filter.h"
+#include "monitor/estimation/error_propagation.h"
+#include "monitor/estimation/matrix_vector_product.h"
+#include "tuner_design/discretise.h"
+#include "tuner_design/monte_carlo/engine_average.h"
+#include "tuner_design/monte_carlo/random_stream.h"
+
+namespace ehm::bench {
+namespace {
+
+using estimation::AuxiliaryVector;
+using estimation::HealthVector;
+using estimation::SensorVector;
+using estimation::StateVector;
+
+constexpr double sigmas_of_95_percent = 1.959963984540054;  // normal quantile of 0.975
+
+/// What the published intervals reach to at each sample of the window: a column each.
+struct Intervals {
+  Eigen::MatrixXd health, auxiliary;
+};
+
+Intervals published_intervals(const design::Design& design, const Window& window) {
+  const estimation::ErrorModel model = design::make_error_model(design, design.full);
+  estimation::ErrorPropagation error(model);
+  Intervals intervals{Eigen::MatrixXd(design.model.L.cols(), window.averaged),
+                      Eigen::MatrixXd(design.model.F.rows(), window.averaged)};
+  for (int k = 0; k < window.samples; ++k) {
+    error.step();
+    if (k < window.first()) continue;
+    intervals.health.col(k - window.first()) = sigmas_of_95_percent * error.health_sigma();
+    intervals.auxiliary.col(k - window.first()) = sigmas_of_95_percent * error.auxiliary_sigma();
+  }
+  return intervals;
+}
+
+/// Sums over a window of the squared errors of some channels and of how often they lay within the interval.
+template <class Vector>
+class WindowSums {
+ public:
+  explicit WindowSums(Eigen::Index channels)
+      : squares_(Vector::Zero(channels)), within_(Vector::Zero(channels)), error_(Vector::Zero(channels)) {}
+
+  template <class Error, class Interval>
+  void add(const Error& error, const Interval& interval) {
+    error_ = error;
+    for (Eigen::Index i = 0; i < error_.size(); ++i) {
+      squares_(i) += error_(i) * error_(i);
+      within_(i) += std::abs(error_(i)) <= interval(i) ? 1.0 : 0.0;
+    }
+  }
+  Eigen::VectorXd mean_square(const Eigen::VectorXd& scale, int samples) const {
+    return squares_.cwiseQuotient(scale.cwiseAbs2()) / samples;
+  }
+  Eigen::VectorXd coverage(int samples) const { return within_ / samples; }
+
+ private:
+  Vector squares_, within_, error_;
+};
+
+/// The state of the true engine about its balance, dx[k+1] = A dx[k] + w[k], and what it adds to sensors and outputs;
+/// channel units.
+class Wander {
+ public:
+  Wander(const estimation::LinearModel& discrete, bool process_noise)
+      : moves_(process_noise), A_(discrete.A), C_(discrete.C), F_(discrete.F) {
+    // w = root n with n ~ N(0, I); the covariance may be singular
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(discrete.process_noise);
+    root_ = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  }
+
+  bool moves() const { return moves_; }
+  void advance(StateVector& dx, RandomStream& random) const {
+    StateVector n(dx.size()), next = StateVector::Zero(dx.size());
+    for (double& each : n) each = random.normal();
+    estimation::add_product(A_, dx.data(), next.data());
+    estimation::add_product(root_, n.data(), next.data());
+    dx = next;
+  }
+  void add_to_sensors(SensorVector& dy, const StateVector& dx) const {
+    estimation::add_product(C_, dx.data(), dy.data());
+  }
+  void add_to_auxiliary(AuxiliaryVector& z, const StateVector& dx) const {
+    estimation::add_product(F_, dx.data(), z.data());
+  }
+
+ private:
+  bool moves_;
+  estimation::BoundedMatrix<estimation::max_states, estimation::max_states> A_, root_;
+  estimation::BoundedMatrix<estimation::max_sensors, estimation::max_states> C_;
+  estimation::BoundedMatrix<estimation::max_auxiliary, estimation::max_states> F_;
+};
+
+class Flights {
+ public:
+  Flights(const design::Design& design, const Truth& truth, const KalmanOptions& options)
+      : design_(design),
+        truth_(truth),
+        options_(options),
+        filter_(design::make_filter(design)),
+        wander_(discretise(design.model), options.process_noise),
+        intervals_(published_intervals(design, options.window)) {}
+
+  Eigen::Index size() const { return 2 * (channels() + 1); }
+  Eigen::Index channels() const { return design_.model.L.cols() + design_.model.F.rows(); }
+
+  /// One engine: [squared errors of h and z | their sums | coverage of h and z].
+  bool fly(std::size_t index, Eigen::VectorXd& numbers) const {
+    RandomStream random(options_.seed, index);
+    HealthVector health(design_.model.health_sigma.size());
+    for (Eigen::Index i = 0; i < health.size(); ++i) health(i) = design_.model.health_sigma(i) * random.normal();
+    const std::optional<EngineInBalance> engine = truth_.engine(health);
+    if (!engine) return false;
+
+    estimation::TunerFilter filter = filter_;
+    const HealthVector true_health = filter.model().health_trim + health;
+    const AuxiliaryVector true_auxiliary = filter.model().auxiliary_trim + engine->auxiliary;
+    WindowSums<HealthVector> health_sums(health.size());
+    WindowSums<AuxiliaryVector> auxiliary_sums(true_auxiliary.size());
+    StateVector dx = StateVector::Zero(design_.model.A.rows());
+    for (int k = 0; k < options_.window.samples; ++k) {
+      if (wander_.moves() && k > 0) wander_.advance(dx, random);
+      step(filter, *engine, dx, random);
+      const int in_window = k - options_.window.first();
+      if (in_window < 0) continue;
+      health_sums.add(filter.health() - true_health, intervals_.health.col(in_window));
+      AuxiliaryVector now = true_auxiliary;
+      if (wander_.moves()) wander_.add_to_auxiliary(now, dx);
+      auxiliary_sums.add(filter.auxiliary() - now, intervals_.auxiliary.col(in_window));
+    }
+    const int samples = options_.window.averaged;
+    const Eigen::VectorXd health_error = health_sums.mean_square(design_.scaling.health, samples);
+    const Eigen::VectorXd auxiliary_error = auxiliary_sums.mean_square(design_.scaling.auxiliary, samples);
+    numbers << health_error, auxiliary_error, health_error.sum(), auxiliary_error.sum(), health_sums.coverage(samples),
+        auxiliary_sums.coverage(samples);
+    return true;
+  }
+
+ private:
+  /// One noisy sample into the filter.
+  void step(estimation::TunerFilter& filter, const EngineInBalance& engine, const StateVector& dx,
+            RandomStream& random) const {
+    const Eigen::VectorXd& sigma = design_.model.sensor_noise_sigma;
+    SensorVector dy = engine.sensors;
+    for (Eigen::Index i = 0; i < dy.size(); ++i) dy(i) += sigma(i) * random.normal();
+    if (wander_.moves()) wander_.add_to_sensors(dy, dx);
+    filter.predict(engine.controls);
+    filter.innovation(dy, engine.controls);
+    filter.update(all_);
+  }
+
+  const design::Design& design_;
+  const Truth& truth_;
+  const KalmanOptions& options_;
+  const estimation::TunerFilter filter_;
+  const Wander wander_;
+  const Intervals intervals_;
+  const estimation::SensorMask all_ = ~estimation::SensorMask();
+};
+
+}  // namespace
+
+Experiment kalman_experiment(const design::Design& design, const Truth& truth, const KalmanOptions& options,
+                             const std::function<void(std::size_t)>& done) {
+  if (truth.nonlinear && options.process_noise)
+    throw std::invalid_argument(
+        "process noise: the nonlinear truth flies in balance without it; allowed: linear truth");
+  const Flights flights(design, truth, options);
+  const EngineAverage average = average_over_engines(
+      options.runs, flights.size(), options.threads,
+      [&](std::size_t index, Eigen::VectorXd& numbers) { return flights.fly(index, numbers); }, done);
+
+  const Eigen::Index p = design.model.L.cols(), r = design.model.F.rows(), behind = p + r + 2;
+  const auto by_channel = [&](const Eigen::VectorXd& numbers, Eigen::Index at) {
+    return design::ErrorByChannel{numbers.segment(at, p), numbers.segment(at + p, r)};
+  };
+  Experiment result;
+  result.estimator = "Kalman filter";
+  result.truth = truth.description + (options.process_noise ? ", with process noise w" : ", without process noise");
+  result.nonlinear = truth.nonlinear;
+  result.engines = average.engines;
+  result.without_steady_point = average.left_out;
+  const WindowError theory = finite_window_error(design, options.window, options.process_noise);
+  result.theory = theory.linear;
+  result.linearisation = theory.linearisation;
+  if (!truth.nonlinear) result.linearisation.health.setZero(), result.linearisation.auxiliary.setZero();
+  result.settled = settled_error(design, options.process_noise);
+  result.experiment = by_channel(average.mean, 0);
+  result.standard_error = by_channel(average.standard_error, 0);
+  result.standard_error_of_total = {average.standard_error(p + r), average.standard_error(p + r + 1)};
+  result.coverage = by_channel(average.mean, behind);
+  result.coverage_standard_error = by_channel(average.standard_error, behind);
+  return result;
+}
+
+}  // namespace ehm::bench

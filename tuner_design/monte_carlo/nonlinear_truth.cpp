@@ -1,0 +1,128 @@
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/model/steady.h"
+#include "tuner_design/engine_channels.h"
+#include "tuner_design/monte_carlo/truth.h"
+
+namespace ehm::bench {
+namespace {
+
+using estimation::Channel;
+using estimation::LinearModel;
+
+/// Position of each of the design's channels among the engine's.
+std::vector<Eigen::Index> positions(const std::vector<Channel>& wanted, const std::vector<Channel>& known,
+                                    const std::string& kind) {
+  std::vector<Eigen::Index> result;
+  for (const Channel& channel : wanted) {
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (known[i].name == channel.name && known[i].unit == channel.unit)
+        result.push_back(static_cast<Eigen::Index>(i));
+    if (result.size() == static_cast<std::size_t>(&channel - wanted.data()) + 1) continue;
+    std::string names;
+    for (const Channel& name : known) names += (names.empty() ? "" : ", ") + name.name + " (" + name.unit + ")";
+    throw std::invalid_argument("nonlinear truth: " + kind + " '" + channel.name + "' (" + channel.unit +
+                                ") is none of the nonlinear engine's: " + names);
+  }
+  return result;
+}
+
+Eigen::VectorXd trims(const std::vector<Channel>& channels) {
+  Eigen::VectorXd trim(static_cast<Eigen::Index>(channels.size()));
+  for (std::size_t i = 0; i < channels.size(); ++i) trim(static_cast<Eigen::Index>(i)) = channels[i].trim;
+  return trim;
+}
+
+/// The turbofan at the design's flight condition and controls.
+class Fleet {
+ public:
+  Fleet(const LinearModel& model, Hold hold) : turbofan_(engine::jt9d()) {
+    if (model.engine_type != "jt9d" || !model.operating_point) {
+      throw std::invalid_argument("nonlinear truth: the design is for the engine type '" + model.engine_type + "'" +
+                                  (model.operating_point ? "" : " without operating_point") +
+                                  "; allowed: jt9d at an operating point, as tuner_design linearise writes it");
+    }
+    LinearModel known;
+    name_channels(layout_, known, Eigen::VectorXd::Zero(layout_.inputs()), Eigen::VectorXd::Zero(layout_.outputs()));
+    sensors_ = positions(model.sensors, known.sensors, "sensor");
+    auxiliary_ = positions(model.auxiliary, known.auxiliary, "auxiliary output");
+    health_ = positions(model.health, known.health, "health parameter");
+    controls_ = positions(model.controls, known.controls, "control");
+    sensor_trim_ = trims(model.sensors), auxiliary_trim_ = trims(model.auxiliary);
+    health_trim_ = trims(model.health), control_trim_ = trims(model.controls);
+    set_trim(model);
+    demand_ = demand_of(model, hold);
+    new_engine_ = engine::solve_steady(turbofan_, operation_, demand_);
+  }
+
+  std::optional<EngineInBalance> engine(const estimation::HealthVector& health) const {
+    engine::Operation worn = operation_;
+    for (std::size_t i = 0; i < health_.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      worn.health[static_cast<std::size_t>(health_[i])] = health_trim_(at) + health(at);
+    }
+    try {
+      const engine::SteadyPoint point = engine::solve_steady(turbofan_, worn, demand_, &new_engine_);
+      const Eigen::VectorXd outputs = outputs_of(layout_, point.gas);
+      const Eigen::VectorXd controls = inputs_of(layout_, point).segment<engine_controls>(layout_.fuel());
+      return EngineInBalance{outputs.segment<engine_sensors>(layout_.sensors())(sensors_) - sensor_trim_,
+                             outputs.segment<engine_auxiliary>(layout_.auxiliary())(auxiliary_) - auxiliary_trim_,
+                             controls(controls_) - control_trim_};
+    } catch (const engine::SolveError&) {
+      return std::nullopt;  // the caller counts these engines
+    }
+  }
+
+  std::string description() const {
+    std::ostringstream text;
+    text << "nonlinear turbofan in balance, " << operation_.flight.altitude_m << " m, Mach " << operation_.flight.mach
+         << ", ISA " << std::showpos << operation_.flight.delta_isa_k << std::noshowpos << " K, "
+         << (demand_.kind == engine::DemandKind::n1_rpm ? "fan speed held at " : "fuel flow held at ") << demand_.value
+         << (demand_.kind == engine::DemandKind::n1_rpm ? " rpm" : " kg/s");
+    return text.str();
+  }
+
+ private:
+  void set_trim(const LinearModel& model) {
+    operation_.flight = {model.operating_point->altitude_m, model.operating_point->mach,
+                         model.operating_point->delta_isa_k};
+    double* const held[engine_controls]{&operation_.fuel_flow_kg_s, &operation_.geometry.vsv_deg,
+                                        &operation_.geometry.vbv_fraction};
+    for (std::size_t i = 0; i < controls_.size(); ++i)
+      *held[controls_[i]] = control_trim_(static_cast<Eigen::Index>(i));
+    for (std::size_t i = 0; i < health_.size(); ++i)
+      operation_.health[static_cast<std::size_t>(health_[i])] = health_trim_(static_cast<Eigen::Index>(i));
+  }
+
+  engine::Demand demand_of(const LinearModel& model, Hold hold) const {
+    if (hold == Hold::fuel_flow) {
+      if (operation_.fuel_flow_kg_s > 0.0) return {engine::DemandKind::fuel_flow_kg_s, operation_.fuel_flow_kg_s};
+      throw std::invalid_argument("nonlinear truth: the design has no control fuel_flow (kg/s) with a trim above 0");
+    }
+    for (const Channel& state : model.states)
+      if (state.name == "Nf" && state.unit == "rpm") return {engine::DemandKind::n1_rpm, state.trim};
+    throw std::invalid_argument("nonlinear truth: the design has no state Nf (rpm) whose trim could be held");
+  }
+
+  EngineLayout layout_;
+  engine::Turbofan turbofan_;
+  std::vector<Eigen::Index> sensors_, auxiliary_, health_, controls_;  ///< among the engine's channels
+  Eigen::VectorXd sensor_trim_, auxiliary_trim_, health_trim_, control_trim_;
+  engine::Operation operation_;
+  engine::Demand demand_{};
+  engine::SteadyPoint new_engine_;
+};
+
+}  // namespace
+
+Truth nonlinear_truth(const design::Design& design, Hold hold) {
+  const auto fleet = std::make_shared<const Fleet>(design.model, hold);
+  return {fleet->description(), true,
+          [fleet](const estimation::HealthVector& health) { return fleet->engine(health); }};
+}
+
+}  // namespace ehm::bench

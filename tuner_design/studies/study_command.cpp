@@ -1,0 +1,81 @@
+#include "tuner_design/studies/study_command.h"
+
+#include <memory>
+#include <ostream>
+
+#include "deploy/files/atomic_file.h"
+#include "deploy/work/parallel_for.h"
+#include "engine_sim/model/engines/jt9d.h"
+#include "monitor/design/file_error.h"
+#include "monitor/design/model_file.h"
+#include "tuner_design/design_command.h"
+#include "tuner_design/linearise.h"
+#include "tuner_design/studies/simon_garg_table.h"
+
+namespace ehm::bench {
+namespace {
+
+constexpr std::size_t progress_steps = 1000;
+
+struct Arguments {
+  std::string study, model, csv;
+  SimonGargOptions options;
+  OutputOptions output;
+};
+
+/// The paper's operating point on our engine: cruise, tangent at the new engine.
+estimation::LinearModel cruise() {
+  LineariseOptions options;
+  options.flight = {10668.0, 0.8, 0.0};
+  options.demand = {engine::DemandKind::t40_k, cruise_t40_k};
+  options.fleet = 0;
+  return linearise(engine::Turbofan(engine::jt9d()), options).model;
+}
+
+void run_study(Arguments arguments, const Console& console) {
+  arguments.options.table = arguments.study.back() - '0';
+  const estimation::LinearModel model = arguments.model.empty() ? cruise() : design::read_model(arguments.model);
+  SimonGargStudy study;
+  try {
+    work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
+    study = run_simon_garg(model, arguments.options, [&](double share) {
+      bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps)));
+    });
+  } catch (const std::invalid_argument& error) {
+    throw design::FileError((arguments.model.empty() ? "" : arguments.model + ": ") + error.what());
+  }
+  if (!arguments.csv.empty()) files::write_file_atomically(arguments.csv, study_csv(study));
+  print_result(
+      console, arguments.output, [&] { return study_as_json(study); },
+      [&](std::ostream& out) { print_study(study, out); });
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, Action& run) {
+  const auto arguments = std::make_shared<Arguments>();
+  SimonGargOptions& options = arguments->options;
+  options.threads = work::all_cores();
+  CLI::App* command = app.add_subcommand("study", "Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, on our engine");
+  command->add_option("study", arguments->study, "Which table")
+      ->required()
+      ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7"}));
+  command->add_option("--model", arguments->model, "Linear model of another engine; default: the JT9D class at cruise")
+      ->type_name("M.json");
+  add_qh_option(*command, options.qh_percent2);
+  command->add_option("--engines", options.engines, "Engines of the MAP estimators")
+      ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
+      ->capture_default_str();
+  command->add_option("--runs", options.runs, "Runs of 30 s of the Kalman filter")
+      ->check(CLI::Range(std::size_t{10}, std::size_t{1'000'000}))
+      ->capture_default_str();
+  command->add_option("--seed", options.seed, "Of the random starts and of the experiments")->capture_default_str();
+  command->add_option("--csv", arguments->csv, "Write the table to this file too")->type_name("F.csv");
+  command->add_option("--threads", options.threads, "The result does not depend on it; default: one a core")
+      ->check(CLI::Range(1, 1024));
+  add_output_options(*command, arguments->output);
+  command->callback(
+      [arguments, &run] { run = [arguments](const Console& console) { run_study(*arguments, console); }; });
+}
+
+}  // namespace ehm::bench
