@@ -9,7 +9,7 @@
 namespace ehm::bench::report {
 namespace {
 
-constexpr double number_room = 62.0, group_gap = 12.0, bar_gap = 1.5, head = 8.0, foot = 40.0, narrow_left = 12.0;
+constexpr double number_room = 62.0, group_gap = 12.0, bar_gap = 1.5, foot = 40.0, narrow_left = 12.0;
 constexpr double least_wide = 500.0, most_label = 230.0, least_label = 60.0;
 constexpr std::size_t label_lines = 3;
 
@@ -17,6 +17,7 @@ struct Layout {
   Axis axis;
   bool labels_beside;
   double left, plot_width, bars_height;
+  double head;
   std::vector<std::vector<std::string>> labels;
 
   double x(double value) const { return left + plot_width * axis.fraction(value); }
@@ -34,7 +35,7 @@ Axis axis_of(const BarChart& chart, int ticks) {
 }
 
 Layout layout_of(const BarChart& chart, double width) {
-  Layout layout{axis_of(chart, width < least_wide ? 4 : 7), width >= least_wide, narrow_left, 0.0, 0.0, {}};
+  Layout layout{axis_of(chart, width < least_wide ? 4 : 7), width >= least_wide, narrow_left, 0.0, 0.0, 8.0, {}};
   if (layout.labels_beside) {
     double longest = least_label;
     for (const std::string& name : chart.categories) longest = std::max(longest, letters(name) * letter_px + 12.0);
@@ -51,7 +52,7 @@ Layout layout_of(const BarChart& chart, double width) {
 void draw_axis(Svg& svg, const BarChart& chart, const Layout& layout, double bottom) {
   for (const Tick& tick : layout.axis.ticks()) {
     const double x = layout.x(tick.value);
-    svg.line(x, head, x, bottom, tick.label.empty() ? "grid minor" : "grid");
+    svg.line(x, layout.head, x, bottom, tick.label.empty() ? "grid minor" : "grid");
     if (!tick.label.empty()) svg.text(x, bottom + 14.0, tick.label, "tick", Anchor::middle);
   }
   svg.text(layout.left + layout.plot_width / 2.0, bottom + 32.0, chart.axis_title, "axis", Anchor::middle);
@@ -132,17 +133,19 @@ std::vector<LegendEntry> legend_of(const BarChart& chart) {
 }
 
 std::string draw(const BarChart& chart, double width, const std::string& id) {
-  const Layout layout = layout_of(chart, width);
-  double bottom = head;
+  Layout layout = layout_of(chart, width);
+  if (!chart.heading.empty()) layout.head += heading_room;
+  double bottom = layout.head;
   for (std::size_t i = 0; i < chart.categories.size(); ++i) bottom += layout.group_height(i) + group_gap;
   Svg svg(id, width, bottom + foot, chart.title, chart.description);
+  svg.text(2.0, 14.0, shortened(chart.heading, static_cast<int>(width / heading_letter_px)), "heading");
   draw_axis(svg, chart, layout, bottom);
-  double top = head + group_gap / 2.0;
+  double top = layout.head + group_gap / 2.0;
   for (std::size_t i = 0; i < chart.categories.size(); ++i) {
     draw_group(svg, chart, layout, i, top);
     top += layout.group_height(i) + group_gap;
   }
-  svg.line(layout.left, head, layout.left, bottom, "frame");
+  svg.line(layout.left, layout.head, layout.left, bottom, "frame");
   return svg.markup();
 }
 

@@ -32,6 +32,7 @@ struct BarChart {
   std::vector<BarMark> marks;
   std::string axis_title;  ///< with unit
   bool logarithmic = false;
+  std::string heading{};  ///< stands in the drawing, above the bars: panels need one
 };
 
 std::vector<LegendEntry> legend_of(const BarChart& chart);

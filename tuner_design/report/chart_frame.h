@@ -9,7 +9,8 @@
 namespace ehm::bench::report {
 
 inline constexpr double wide_px = 760.0, narrow_px = 340.0;
-inline constexpr double letter_px = 6.9, tick_letter_px = 6.3, line_px = 15.0;
+inline constexpr double letter_px = 6.9, tick_letter_px = 6.3, heading_letter_px = 7.6, line_px = 15.0;
+inline constexpr double heading_room = 20.0;
 
 /// What a legend shows before the name; the number chooses the colour, 1 to 6.
 enum class Mark { bar, line, dashed_line, circle, tick, diamond };

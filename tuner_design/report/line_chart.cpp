@@ -10,7 +10,7 @@
 namespace ehm::bench::report {
 namespace {
 
-constexpr double head = 24.0, foot = 42.0, right = 16.0, heading_room = 20.0;
+constexpr double head = 24.0, foot = 42.0, right = 16.0;
 
 struct Frame {
   Axis x_axis, y_axis;
@@ -104,7 +104,8 @@ std::vector<LegendEntry> legend_of(const LineChart& chart) {
 std::string draw(const LineChart& chart, double width, const std::string& id) {
   const Frame frame = frame_of(chart, width);
   Svg svg(id, width, chart.height_px, chart.title, chart.description);
-  if (!chart.heading.empty()) svg.text(2.0, 14.0, shortened(chart.heading, static_cast<int>(width / 7.6)), "heading");
+  if (!chart.heading.empty())
+    svg.text(2.0, 14.0, shortened(chart.heading, static_cast<int>(width / heading_letter_px)), "heading");
   draw_axes(svg, chart, frame);
   for (const LineSeries& line : chart.series) {
     if (line.mark == Mark::circle) {

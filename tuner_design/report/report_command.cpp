@@ -16,6 +16,7 @@ namespace {
 
 struct ReportArguments {
   std::string design, out, csv_folder;
+  bool quick = false;
   unsigned threads = work::all_cores();
   OutputOptions output;
 };
@@ -41,9 +42,10 @@ nlohmann::ordered_json page_as_json(const report::Page& page, const design::Desi
 report::Studies studies_of(const design::Design& design, const ReportArguments& arguments, const Console& console) {
   constexpr std::size_t steps = 1000;
   work::ProgressBar bar = progress_bar(console, arguments.output, steps);
-  return report::run_studies(design, {.threads = arguments.threads, .progress = [&](double share) {
-                                        bar.show(static_cast<std::size_t>(share * static_cast<double>(steps)));
-                                      }});
+  return report::run_studies(design,
+                             {.quick = arguments.quick, .threads = arguments.threads, .progress = [&](double share) {
+                                bar.show(static_cast<std::size_t>(share * static_cast<double>(steps)));
+                              }});
 }
 
 void write_report(const ReportArguments& arguments, const Console& console) {
@@ -72,6 +74,7 @@ void add_report_command(CLI::App& app, Action& run) {
   command->add_option("-o,--out", arguments->out, "Page to write")->required()->type_name("REPORT.html");
   command->add_option("--csv-dir", arguments->csv_folder, "Also write the numbers of each figure and table here")
       ->type_name("DIR");
+  command->add_flag("--quick", arguments->quick, "Leave out the Monte Carlo, which takes some seconds");
   command->add_option("--threads", arguments->threads, "The result does not depend on it; default: one a core")
       ->check(CLI::Range(1, 1024));
   add_output_options(*command, arguments->output);

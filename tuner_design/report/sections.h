@@ -20,6 +20,8 @@ Section observability_section(const ReportData& data);
 Section tuner_section(const ReportData& data);
 /// How the filter answers a step, and what speed costs.
 Section response_section(const ReportData& data);
+/// What the Monte Carlo found, or why there is none.
+Section evaluation_section(const ReportData& data);
 /// The designs for the case that a sensor fails.
 Section missing_sensor_section(const ReportData& data);
 

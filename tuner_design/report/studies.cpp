@@ -1,5 +1,7 @@
 #include "tuner_design/report/studies.h"
 
+#include <exception>
+
 #include "tuner_design/choose_tuners.h"
 
 namespace ehm::bench::report {
@@ -20,17 +22,43 @@ std::vector<SearchCourse> search_again(const design::Design& design, unsigned th
   return courses;
 }
 
+/// Shares of the time that the studies take.
+constexpr double search_share = 0.05, trade_share = 0.15;
+
+void fly(Studies& studies, const design::Design& design, bool nonlinear, const StudyOptions& options, double from,
+         double to) {
+  EvaluateOptions flight;
+  flight.linear = !nonlinear;
+  flight.nonlinear = nonlinear;
+  flight.threads = options.threads;
+  const std::string truth = nonlinear ? "the nonlinear engine" : "the linear engine";
+  try {
+    Evaluation evaluation =
+        evaluate(design, flight, [&](double share) { options.progress(from + (to - from) * share); });
+    for (Experiment& experiment : evaluation.experiments) studies.experiments.push_back(std::move(experiment));
+  } catch (const std::exception& error) {  // a design for another engine, or one that cannot be flown
+    studies.not_flown.push_back("No experiment on " + truth + ": " + error.what() + ".");
+  }
+}
+
 }  // namespace
 
 Studies run_studies(const design::Design& design, const StudyOptions& options) {
   Studies studies;
   studies.courses = search_again(design, options.threads);
-  constexpr double search_share = 0.1;
   options.progress(search_share);
-  const std::vector<double> steps = logarithmic_steps(slowest_qh, fastest_qh, trade_points);
-  studies.trade = response_sweep(design, steps, options.threads, [&](std::size_t done) {
-    options.progress(search_share + (1.0 - search_share) * static_cast<double>(done) / trade_points);
-  });
+  const double slow = options.quick ? 1.0 : trade_share;
+  studies.trade = response_sweep(design, logarithmic_steps(slowest_qh, fastest_qh, trade_points), options.threads,
+                                 [&](std::size_t done) {
+                                   const double share = static_cast<double>(done) / trade_points;
+                                   options.progress(search_share + (slow - search_share) * share);
+                                 });
+  if (options.quick) {
+    studies.not_flown.push_back("The Monte Carlo was left out (--quick): theory stands unproven here.");
+    return studies;
+  }
+  fly(studies, design, false, options, trade_share, 0.4);
+  fly(studies, design, true, options, 0.4, 1.0);
   return studies;
 }
 
