@@ -29,19 +29,20 @@ Eigen::VectorXd joined(const design::ErrorByChannel& errors) {
 }
 
 DataTable totals_table(const std::vector<Experiment>& experiments, bool auxiliary) {
-  DataTable table{{"estimator and truth", "engines", "squared error", "theory", "of it linearisation", "experiment",
+  DataTable table{{"estimator and truth", "engines", "errors of", "theory", "of it linearisation", "experiment",
                    "standard error", "difference / standard error"},
                   {}};
-  const auto add = [&](const Experiment& e, const std::string& what, double theory, double linearisation,
+  const auto add = [&](const Experiment& e, const std::string& of, double theory, double linearisation,
                        double experiment, double standard_error) {
-    table.rows.push_back({name_of(e), static_cast<double>(e.engines), what, theory, linearisation, experiment,
+    table.rows.push_back({name_of(e), static_cast<double>(e.engines), of, theory, linearisation, experiment,
                           standard_error, (experiment - theory) / standard_error});
   };
-  for (const Experiment& e : experiments) {
-    add(e, "health, percent²", e.theory_health(), e.linearisation.health.sum(), e.experiment.health.sum(),
+  for (const Experiment& e : experiments)
+    add(e, "health", e.theory_health(), e.linearisation.health.sum(), e.experiment.health.sum(),
         e.standard_error_of_total.health);
+  for (const Experiment& e : experiments) {
     if (auxiliary)
-      add(e, "auxiliary, mixed", e.theory_auxiliary(), e.linearisation.auxiliary.sum(), e.experiment.auxiliary.sum(),
+      add(e, "auxiliary", e.theory_auxiliary(), e.linearisation.auxiliary.sum(), e.experiment.auxiliary.sum(),
           e.standard_error_of_total.auxiliary);
   }
   return table;
@@ -116,14 +117,18 @@ Section evaluation_section(const ReportData& data) {
       "window from the same cold start.");
   const std::vector<std::string> channels = channels_of(data.design);
   std::vector<BarChart> charts;
-  for (std::size_t i = 0; i < experiments.size(); ++i) {
-    section.add_text(name_of(experiments[i]) + ": " + experiments[i].truth + ".");
-    charts.push_back(ratio_chart(experiments[i], channels, i));
+  std::string truths;
+  for (const Experiment& experiment : experiments) {
+    truths += (truths.empty() ? "" : "; ") + name_of(experiment) + ": " + experiment.truth;
+    if (experiment.coverage.health.size() > 0) charts.push_back(ratio_chart(experiment, channels, charts.size()));
   }
-  section.add_table("experiment-totals", "Squared errors summed over channels, theory and experiment",
+  section.add_text("What was flown: " + truths + ".");
+  section.add_table("experiment-totals",
+                    "Squared errors summed over channels (health in percent², auxiliary outputs in mixed units), "
+                    "theory and experiment",
                     totals_table(experiments, !data.design.model.auxiliary.empty()));
   section.add_figure(
-      "experiments", "Experiment over theory by channel.",
+      "experiments", "The filter's experiment over theory by channel.",
       "A bar that ends between the two strokes agrees with theory within two standard errors of the Monte "
       "Carlo; about one in twenty may miss them by chance.",
       panels(charts), channel_table(experiments, channels));

@@ -54,7 +54,7 @@ caption { caption-side: top; position: sticky; left: 0; max-width: calc(100vw - 
 th, td { padding: 0.28rem 0.6rem; text-align: left; vertical-align: top; border-bottom: 1px solid var(--grid);
   unicode-bidi: isolate; }
 thead th { vertical-align: bottom; border-bottom: 1px solid var(--ink); font-weight: 600; }
-tbody th { font-weight: 400; min-width: 7rem; max-width: 20rem; overflow-wrap: anywhere; }
+tbody th { font-weight: 400; min-width: 9.5rem; max-width: 20rem; overflow-wrap: anywhere; }
 th:first-child, td:first-child { padding-left: 0; }
 .number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 thead .number { white-space: normal; }
@@ -91,6 +91,7 @@ footer { margin-top: 3rem; padding-top: 0.8rem; border-top: 1px solid var(--rule
 @media screen and (max-width: 719px) {
   body { padding: 1.3rem 0.75rem 2rem; }
   h1 { font-size: 1.4rem; } h2 { margin-top: 2.2rem; }
+  tbody th { min-width: 7rem; }
   .wide { display: none; } .narrow { display: block; }
   dl.key { grid-template-columns: repeat(auto-fit, minmax(8.2rem, 1fr)); }
   dl.key dd { font-size: 1.2rem; }

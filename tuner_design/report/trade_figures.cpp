@@ -25,7 +25,7 @@ LineChart parts_chart(const ReportData& data, bool health) {
                                   : "Response time against accuracy of the auxiliary outputs",
                   .description = "Squared error over the slowest time constant: bias, noise and their sum.",
                   .x = {time_title, true},
-                  .y = {health ? "SSEE(h), percent²" : "SSEE(z), mixed units", true},
+                  .y = {health ? "SSEE(h), percent²" : "SSEE(z), mixed units", false, true},
                   .series = {},
                   .height_px = 290.0,
                   .heading = health ? "Health" : "Auxiliary outputs"};
