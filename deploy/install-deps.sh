@@ -11,7 +11,7 @@ packages=(
   libeigen3-dev libfastrtps-dev libfastcdr-dev fastddsgen libnlopt-dev libnlopt-cxx-dev libspdlog-dev libfmt-dev
   libgtest-dev libgmock-dev
   # configuration, files, command line
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libssl-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libmatio-dev zlib1g-dev libssl-dev
   # an independent DDS for the interoperability tests and the C example
   cyclonedds-dev cyclonedds-tools
   # measurements: tests/bench

@@ -52,15 +52,19 @@ nlohmann::ordered_json values(const Eigen::VectorXd& vector) {
 
 }  // namespace
 
-CheckedFile check_file(const std::string& path) {
+CheckedFile check_file(const std::string& path, const ImportOptions& options) {
   CheckedFile file;
-  file.schema = schema_of(path);
-  if (file.schema == design::model_schema) {
+  if (is_foreign_model(path) || schema_of(path) == design::model_schema) {
+    ImportedModel imported = import_model(path, options);
     file.kind = "linear model";
-    file.model = design::read_model(path);
+    file.schema = std::move(imported.format);
+    file.model = std::move(imported.model);
+    file.assumed = std::move(imported.assumed);
     file.hash = design::sha256_hex(design::model_to_json(file.model, path).dump());
   } else {
+    refuse_import_options(path, options);
     file.kind = "design";
+    file.schema = design::design_schema;
     const design::Design design = design::read_design(path);
     file.model = design.model;
     file.hash = design.hash;
@@ -70,6 +74,14 @@ CheckedFile check_file(const std::string& path) {
   file.observability = steady_observability(discrete, steady.H);
   if (file.observability.sufficient()) file.pair_singular_values = augmented_pair(discrete, steady.H);
   return file;
+}
+
+void require_observable(const CheckedFile& file, const std::string& path) {
+  try {
+    require_observable(file.observability, file.model.sensors.size() < file.model.health.size());
+  } catch (const std::runtime_error& error) {
+    throw design::FileError(path + ": " + error.what());
+  }
 }
 
 nlohmann::ordered_json check_as_json(const CheckedFile& file) {
@@ -90,7 +102,12 @@ nlohmann::ordered_json check_as_json(const CheckedFile& file) {
           {"singular_values", values(seen.singular_values)},
           {"condition", seen.condition},
           {"pair_singular_values", values(file.pair_singular_values)},
+          {"assumed", file.assumed},
           {"hash", file.hash}};
+}
+
+void print_assumed(const std::vector<std::string>& assumed, std::ostream& out) {
+  for (const std::string& assumption : assumed) out << "  assumed        " << assumption << '\n';
 }
 
 void print_check(const CheckedFile& file, std::ostream& out) {
@@ -114,6 +131,7 @@ void print_check(const CheckedFile& file, std::ostream& out) {
     for (const double value : file.pair_singular_values) out << ' ' << value;
   }
   out << "\n  hash           " << file.hash << '\n';
+  print_assumed(file.assumed, out);
 }
 
 }  // namespace ehm::bench

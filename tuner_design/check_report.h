@@ -6,23 +6,32 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tuner_design/import/import_model.h"
 #include "tuner_design/observability.h"
 
 namespace ehm::bench {
 
 struct CheckedFile {
-  std::string kind;  ///< "linear model" or "design"
-  std::string schema;
-  std::string hash;  ///< SHA-256 of the content
+  std::string kind;    ///< "linear model" or "design"
+  std::string schema;  ///< or format, of a model that is not ours
+  std::string hash;    ///< SHA-256 of the content
   estimation::LinearModel model;
+  std::vector<std::string> assumed;  ///< what the file does not state
   Observability observability;
   Eigen::VectorXd pair_singular_values;  ///< of (Axq, Cxq), noise-scaled; empty if health is not observable
 };
 
+/// `path`: a design or whatever import_model reads.
 /// @throws design::FileError if the file is neither, or has a defect.
-CheckedFile check_file(const std::string& path);
+CheckedFile check_file(const std::string& path, const ImportOptions& options);
+
+/// @throws design::FileError, naming `path`, if no design can be made of what the sensors see.
+void require_observable(const CheckedFile& file, const std::string& path);
 
 nlohmann::ordered_json check_as_json(const CheckedFile& file);
+
+/// A line each.
+void print_assumed(const std::vector<std::string>& assumed, std::ostream& out);
 
 void print_check(const CheckedFile& file, std::ostream& out);
 

@@ -8,6 +8,8 @@
 #include "tuner_design/check_report.h"
 #include "tuner_design/command.h"
 #include "tuner_design/design_command.h"
+#include "tuner_design/import_command.h"
+#include "tuner_design/import_options.h"
 #include "tuner_design/linearise_command.h"
 #include "tuner_design/monte_carlo/evaluate_command.h"
 #include "tuner_design/report/report_command.h"
@@ -19,29 +21,29 @@ namespace {
 
 constexpr const char* footer =
     "Exit codes: 0 done, 1 a computation failed, 2 wrong command line or input file; the reason is on stderr.\n"
-    "Chain: linearise (or your own matrices) -> design -> the file that monitor loads.";
+    "Chain: linearise (or your own matrices: JSON, .mat, CSV) -> design -> the file that monitor loads.";
 
 struct CheckArguments {
   std::string file;
+  ImportOptions import;
   OutputOptions output;
 };
 
 void check_one(const CheckArguments& arguments, const Console& console) {
-  const CheckedFile file = check_file(arguments.file);
+  const CheckedFile file = check_file(arguments.file, arguments.import);
   print_result(
       console, arguments.output, [&] { return check_as_json(file); },
       [&](std::ostream& out) { print_check(file, out); });
-  try {
-    require_observable(file.observability, file.model.sensors.size() < file.model.health.size());
-  } catch (const std::runtime_error& error) {
-    throw design::FileError(arguments.file + ": " + error.what());
-  }
+  require_observable(file, arguments.file);
 }
 
 void add_check_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand("check", "Validate a linear model or a design file and say what it is");
-  command->add_option("file", arguments->file, "Linear model or design file")->required()->type_name("FILE");
+  command->add_option("file", arguments->file, "A design, or a linear model as JSON, .mat or CSV folder")
+      ->required()
+      ->type_name("FILE");
+  add_import_options(*command, arguments->import);
   add_output_options(*command, arguments->output);
   command->callback(
       [arguments, &run] { run = [arguments](const Console& console) { check_one(*arguments, console); }; });
@@ -56,6 +58,7 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   app.require_subcommand(1);
   app.footer(footer);
   add_linearise_command(app, run);
+  add_import_command(app, run);
   add_design_command(app, run);
   add_sweep_command(app, run);
   add_evaluate_command(app, run);

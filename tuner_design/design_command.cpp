@@ -10,9 +10,9 @@
 #include "deploy/work/parallel_for.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
-#include "monitor/design/model_file.h"
 #include "tuner_design/design_report.h"
 #include "tuner_design/design_tuner.h"
+#include "tuner_design/import_options.h"
 #include "tuner_design/search/response_time.h"
 
 namespace ehm::bench {
@@ -23,6 +23,7 @@ const std::map<std::string, design::Tuning> tunings{
 
 struct Arguments {
   std::vector<std::string> models, outs;
+  ImportOptions import;
   std::vector<double> point_weights;
   WeightArguments weights;
   design::DesignOptions options;
@@ -76,9 +77,12 @@ std::vector<design::Design> designs_of(const Arguments& arguments, const std::ve
 void design_to_files(const Arguments& arguments, const Console& console) {
   require_pairs(arguments);
   std::vector<estimation::LinearModel> models;
+  std::vector<std::string> assumed;
   std::string files;
   for (const std::string& path : arguments.models) {
-    models.push_back(design::read_model(path));
+    const ImportedModel imported = import_model(path, arguments.import);
+    models.push_back(imported.model);
+    assumed.insert(assumed.end(), imported.assumed.begin(), imported.assumed.end());
     files += (files.empty() ? "" : ", ") + path;
   }
   std::vector<design::Design> designs;
@@ -94,14 +98,18 @@ void design_to_files(const Arguments& arguments, const Console& console) {
   print_result(
       console, arguments.output,
       [&]() -> nlohmann::ordered_json {
-        if (designs.size() == 1) return design_as_json(designs.front());
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
-        for (const design::Design& design : designs) all.push_back(design_as_json(design));
+        for (const design::Design& design : designs) {
+          all.push_back(design_as_json(design));
+          all.back()["assumed"] = assumed;
+        }
+        if (all.size() == 1) return all.front();
         return {{"designs", std::move(all)}};
       },
       [&](std::ostream& out) {
         for (std::size_t i = 0; i < designs.size(); ++i) {
           print_design(designs[i], out);
+          print_assumed(assumed, out);
           out << "  written to " << arguments.outs[i] << ", hash " << designs[i].hash << '\n';
         }
       });
@@ -161,9 +169,9 @@ void add_design_command(CLI::App& app, Action& run) {
   CLI::App* command = app.add_subcommand("design", "Tuners, gains, error limits and certificate for a linear model");
   command
       ->add_option("--model", arguments->models,
-                   "Linear model file (ehm-linear-model/1); several are the points of an envelope, with one V* for all")
+                   std::string(model_help) + "; several are the points of an envelope, with one V* for all")
       ->required()
-      ->type_name("M.json");
+      ->type_name("MODEL");
   command->add_option("--out", arguments->outs, "Design file to write, one for each --model")
       ->required()
       ->type_name("D.json");
@@ -182,6 +190,7 @@ void add_design_command(CLI::App& app, Action& run) {
       ->check(CLI::Range(1e-3, 1e6))
       ->excludes("--qh");
   add_weight_options(*command, arguments->weights);
+  add_import_options(*command, arguments->import);
   command->add_option("--starts", arguments->options.random_starts, "Random starts of the search, beside the two known")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();

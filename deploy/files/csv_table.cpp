@@ -61,28 +61,42 @@ void require_distinct(const CsvTable& table) {
   }
 }
 
-CsvTable parse_table(std::istream& in, const std::string& file) {
-  CsvTable table{file, {0, {}}, {}};
+std::vector<CsvRow> parse_records(std::istream& in, const std::string& file) {
+  std::vector<CsvRow> records;
   LineParser parser;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     if (++number == 1) skip_byte_order_mark(line);
     CsvRow row{number, parser.parse(line, file + ":" + std::to_string(number))};
-    if (row.cells.empty()) continue;
-    if (table.header.line == 0) {
-      table.header = std::move(row);
-      require_distinct(table);
-      continue;
-    }
+    if (!row.cells.empty()) records.push_back(std::move(row));
+  }
+  if (in.bad()) throw FileError(file + ": cannot be read: " + std::strerror(errno));
+  return records;
+}
+
+CsvTable parse_table(std::istream& in, const std::string& file) {
+  std::vector<CsvRow> records = parse_records(in, file);
+  if (records.empty()) throw FileError(file + ": is empty; its first line is to name the columns");
+  CsvTable table{file, std::move(records.front()), {}};
+  require_distinct(table);
+  records.erase(records.begin());
+  table.rows = std::move(records);
+  if (table.rows.empty()) throw FileError(file + ": has no row below its header");
+  for (const CsvRow& row : table.rows) {
     if (row.cells.size() != table.header.cells.size())
       throw FileError(table.place(row) + ": " + std::to_string(row.cells.size()) + " cells, allowed is " +
                       std::to_string(table.header.cells.size()) + ", as many as the header has");
-    table.rows.push_back(std::move(row));
   }
-  if (in.bad()) throw FileError(file + ": cannot be read: " + std::strerror(errno));
-  if (table.header.line == 0) throw FileError(file + ": is empty; its first line is to name the columns");
-  if (table.rows.empty()) throw FileError(file + ": has no row below its header");
   return table;
+}
+
+std::ifstream open_to_read(const std::string& path) {
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  // peek() finds out what opening does not tell: a folder opens, but cannot be read
+  if (!in || (in.peek(), in.bad())) throw FileError(path + ": cannot be read: " + std::strerror(errno));
+  in.clear();
+  return in;
 }
 
 }  // namespace
@@ -95,12 +109,13 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
 
 CsvTable read_csv(const std::string& path) {
   if (path == "-") return parse_table(std::cin, "standard input");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  // peek() finds out what opening does not tell: a folder opens, but cannot be read
-  if (!in || (in.peek(), in.bad())) throw FileError(path + ": cannot be read: " + std::strerror(errno));
-  in.clear();
+  std::ifstream in = open_to_read(path);
   return parse_table(in, path);
+}
+
+std::vector<CsvRow> read_csv_records(const std::string& path) {
+  std::ifstream in = open_to_read(path);
+  return parse_records(in, path);
 }
 
 std::optional<double> parse_number(std::string_view text) {

@@ -31,6 +31,10 @@ struct CsvTable {
 ///         or another number of cells than the header
 CsvTable read_csv(const std::string& path);
 
+/// The lines of a file without a header, blank ones left out; none if it is empty.
+/// @throws FileError if it cannot be read, or a line has unbalanced quotes
+std::vector<CsvRow> read_csv_records(const std::string& path);
+
 /// The number that the whole text is, if it is a finite one.
 std::optional<double> parse_number(std::string_view text);
 

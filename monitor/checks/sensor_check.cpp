@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "idl/wire_values.h"
+#include "monitor/estimation/scaling.h"
 
 namespace ehm::monitor {
 
@@ -12,9 +13,9 @@ namespace reason = wire::reject_reason;
 SensorCheck::SensorCheck(const CheckOptions& options, const estimation::LinearModel& model)
     : options_(options), memory_(model.sensors.size()) {
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
-    const double trim = model.sensors[i].trim;
-    trim_.push_back(trim);
-    percent_.push_back(trim != 0.0 ? 0.01 * std::abs(trim) : model.sensor_noise_sigma(static_cast<Eigen::Index>(i)));
+    trim_.push_back(model.sensors[i].trim);
+    percent_.push_back(
+        estimation::percent_of_trim(model.sensors[i], model.sensor_noise_sigma(static_cast<Eigen::Index>(i))));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "monitor/design/model_check.h"
 
 #include <Eigen/Eigenvalues>
+#include <complex>
 #include <set>
 
 #include "monitor/design/file_error.h"
@@ -116,16 +117,24 @@ void check_units(const LinearModel& model, const std::string& file) {
   }
 }
 
+/// "0.9 +- 0.3 i"
+std::string shown_eigenvalue(const std::complex<double>& value) {
+  if (value.imag() == 0.0) return shown(value.real());
+  return shown(value.real()) + " +- " + shown(std::abs(value.imag())) + " i";
+}
+
 void check_stability(const LinearModel& model, const std::string& file) {
   const Eigen::VectorXcd eigenvalues = Eigen::EigenSolver<Eigen::MatrixXd>(model.A, false).eigenvalues();
-  const double worst = model.discrete ? eigenvalues.cwiseAbs().maxCoeff() : eigenvalues.real().maxCoeff();
+  Eigen::Index at = 0;
+  const double worst = model.discrete ? eigenvalues.cwiseAbs().maxCoeff(&at) : eigenvalues.real().maxCoeff(&at);
   if (model.discrete && !(worst < 1.0)) {
-    throw_defect(file, "A", "unstable: its spectral radius is " + shown(worst), "below 1 for time \"discrete\"",
-                 "Check the sample time, the sign of A, and whether the model is continuous");
+    throw_defect(
+        file, "A", "unstable: its eigenvalue " + shown_eigenvalue(eigenvalues(at)) + " has the modulus " + shown(worst),
+        "below 1 for time \"discrete\"", "Check the sample time, the sign of A, and whether the model is continuous");
   }
   if (!model.discrete && !(worst < 0.0)) {
-    throw_defect(file, "A", "unstable: an eigenvalue has the real part " + shown(worst),
-                 "below 0 for time \"continuous\"", "Check the sign of A, and whether the model is discrete");
+    throw_defect(file, "A", "unstable: its eigenvalue " + shown_eigenvalue(eigenvalues(at)) + " does not decay",
+                 "real part below 0 for time \"continuous\"", "Check the sign of A, and whether the model is discrete");
   }
 }
 

@@ -8,9 +8,13 @@ namespace {
 
 constexpr double kelvin_per_rankine = 5.0 / 9.0;
 
+bool in_percent(const Channel& channel) {
+  return channel.unit == "percent" || channel.unit == "%";
+}
+
 double health_scale(const Channel& channel) {
   if (channel.unit == "fraction" || channel.unit == "-") return 0.01;
-  if (channel.unit == "percent" || channel.unit == "%") return 1.0;
+  if (in_percent(channel)) return 1.0;
   throw std::invalid_argument("health parameter " + channel.name + " has unit '" + channel.unit +
                               "'; allowed: fraction, -, percent, %");
 }
@@ -24,7 +28,7 @@ ReportingUnit auxiliary_scale(const Channel& channel) {
   const std::string& unit = channel.unit;
   if (unit == "K" || unit == "degC") return {1.0, "K"};
   if (unit == "degR" || unit == "R" || unit == "degF") return {1.0 / kelvin_per_rankine, "K"};
-  if (unit == "percent" || unit == "%" || unit == "point" || unit == "points") return {1.0, "points"};
+  if (in_percent(channel) || unit == "point" || unit == "points") return {1.0, "points"};
   if (unit == "fraction" || unit == "-") return {0.01, "points"};
   if (channel.trim == 0.0) {
     throw std::invalid_argument("auxiliary output " + channel.name + " in " + unit +
@@ -39,19 +43,21 @@ Eigen::MatrixXd rescaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& r
 
 }  // namespace
 
+double percent_of_trim(const Channel& channel, double without_trim) {
+  if (channel.trim != 0.0) return std::abs(channel.trim) / 100.0;
+  return in_percent(channel) ? 1.0 : without_trim;
+}
+
 Scaling scaling_of(const LinearModel& model) {
   const auto n = static_cast<Eigen::Index>(model.states.size());
   const auto m = static_cast<Eigen::Index>(model.sensors.size());
   const auto p = static_cast<Eigen::Index>(model.health.size());
   const auto r = static_cast<Eigen::Index>(model.auxiliary.size());
   Scaling scaling{Eigen::VectorXd(n), Eigen::VectorXd(m), Eigen::VectorXd(p), Eigen::VectorXd(r), {}};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double trim = std::abs(model.states[static_cast<std::size_t>(i)].trim);
-    scaling.state(i) = trim > 0.0 ? trim / 100.0 : 1.0;
-  }
+  for (Eigen::Index i = 0; i < n; ++i)
+    scaling.state(i) = percent_of_trim(model.states[static_cast<std::size_t>(i)], 1.0);
   for (Eigen::Index i = 0; i < m; ++i) {
-    const double trim = std::abs(model.sensors[static_cast<std::size_t>(i)].trim);
-    scaling.sensor(i) = trim > 0.0 ? trim / 100.0 : model.sensor_noise_sigma(i);
+    scaling.sensor(i) = percent_of_trim(model.sensors[static_cast<std::size_t>(i)], model.sensor_noise_sigma(i));
   }
   for (Eigen::Index i = 0; i < p; ++i) scaling.health(i) = health_scale(model.health[static_cast<std::size_t>(i)]);
   for (Eigen::Index i = 0; i < r; ++i) {
@@ -88,7 +94,8 @@ LinearModel scaled(const LinearModel& model, const Scaling& scaling) {
   }
   for (std::size_t i = 0; i < result.sensors.size(); ++i) {
     result.sensors[i].trim /= scaling.sensor(static_cast<Eigen::Index>(i));
-    result.sensors[i].unit = model.sensors[i].trim != 0.0 ? "percent" : "noise sigma";
+    const bool percent = model.sensors[i].trim != 0.0 || in_percent(model.sensors[i]);
+    result.sensors[i].unit = percent ? "percent" : "noise sigma";
   }
   for (std::size_t i = 0; i < result.health.size(); ++i) {
     result.health[i].trim /= scaling.health(static_cast<Eigen::Index>(i));

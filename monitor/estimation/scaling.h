@@ -1,7 +1,7 @@
 #pragma once
 // Scaled value = channel value / scale. Unscaled, the sensitivities span six decades; scaled they are of order one.
-//   states      percent of |trim|; 1 where the trim is 0
-//   sensors     percent of |trim|; the noise sigma where the trim is 0
+//   states      percent of |trim|; where the trim is 0: as it is
+//   sensors     percent of |trim|; where the trim is 0: as it is if in percent or %, else in its noise sigma
 //   health      percent: `fraction` or `-` times 100, `percent` or `%` as it is
 //   auxiliary   reporting unit: temperature in K (K, degC; degR, degF times 5/9), margins in points (percent, %, point,
 //               points; fraction, - times 100), everything else in percent of |trim|
@@ -18,6 +18,10 @@ struct Scaling {
   Eigen::VectorXd state, sensor, health, auxiliary;
   std::vector<std::string> auxiliary_unit;  ///< reporting unit of each auxiliary channel: "K", "points" or "percent"
 };
+
+/// One percent of a channel's trim, in its unit. A channel with trim 0 in percent or % counts as given in percent of
+/// trim already: 1. Any other channel with trim 0: `without_trim`. Real-time safe: yes.
+double percent_of_trim(const Channel& channel, double without_trim);
 
 /// @throws std::invalid_argument if a health unit is unknown, or a channel that is reported in percent has zero trim.
 Scaling scaling_of(const LinearModel& model);

@@ -7,8 +7,8 @@
 #include "deploy/work/parallel_for.h"
 #include "engine_sim/model/engines/jt9d.h"
 #include "monitor/design/file_error.h"
-#include "monitor/design/model_file.h"
 #include "tuner_design/design_command.h"
+#include "tuner_design/import_options.h"
 #include "tuner_design/linearise.h"
 #include "tuner_design/studies/simon_garg_table.h"
 
@@ -19,6 +19,7 @@ constexpr std::size_t progress_steps = 1000;
 
 struct Arguments {
   std::string study, model, csv;
+  ImportOptions import;
   SimonGargOptions options;
   OutputOptions output;
 };
@@ -34,7 +35,8 @@ estimation::LinearModel cruise() {
 
 void run_study(Arguments arguments, const Console& console) {
   arguments.options.table = arguments.study.back() - '0';
-  const estimation::LinearModel model = arguments.model.empty() ? cruise() : design::read_model(arguments.model);
+  const estimation::LinearModel model =
+      arguments.model.empty() ? cruise() : import_model(arguments.model, arguments.import).model;
   SimonGargStudy study;
   try {
     work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
@@ -60,8 +62,8 @@ void add_study_command(CLI::App& app, Action& run) {
   command->add_option("study", arguments->study, "Which table")
       ->required()
       ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7"}));
-  command->add_option("--model", arguments->model, "Linear model of another engine; default: the JT9D class at cruise")
-      ->type_name("M.json");
+  command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
+      ->type_name("MODEL");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
@@ -73,6 +75,7 @@ void add_study_command(CLI::App& app, Action& run) {
   command->add_option("--csv", arguments->csv, "Write the table to this file too")->type_name("F.csv");
   command->add_option("--threads", options.threads, "The result does not depend on it; default: one a core")
       ->check(CLI::Range(1, 1024));
+  add_import_options(*command, arguments->import);
   add_output_options(*command, arguments->output);
   command->callback(
       [arguments, &run] { run = [arguments](const Console& console) { run_study(*arguments, console); }; });

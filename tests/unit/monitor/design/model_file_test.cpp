@@ -181,17 +181,23 @@ const Defect defects[] = {
      [](Json& j) {
        j["A"] = {{1.25, 0}, {0, 0.5}};
      },
-     "A is unstable: its spectral radius is 1.25; allowed: below 1 for time \"discrete\". Check the sample time, the "
-     "sign "
-     "of A, and whether the model is continuous."},
+     "A is unstable: its eigenvalue 1.25 has the modulus 1.25; allowed: below 1 for time \"discrete\". Check the "
+     "sample "
+     "time, the sign of A, and whether the model is continuous."},
+    {"UnstablePair",  // of a rotation by 90 degrees times 2
+     [](Json& j) {
+       j["A"] = {{0, 2}, {-2, 0}};
+     },
+     "A is unstable: its eigenvalue 0.0 +- 2.0 i has the modulus 2.0; allowed: below 1 for time \"discrete\". Check "
+     "the "
+     "sample time, the sign of A, and whether the model is continuous."},
     {"UnstableContinuous",
      [](Json& j) {
        j["time"] = "continuous";
        j["A"] = {{0.5, 0}, {0, -1}};
      },
-     "A is unstable: an eigenvalue has the real part 0.5; allowed: below 0 for time \"continuous\". Check the sign of "
-     "A, "
-     "and whether the model is discrete."},
+     "A is unstable: its eigenvalue 0.5 does not decay; allowed: real part below 0 for time \"continuous\". Check the "
+     "sign of A, and whether the model is discrete."},
     {"OperatingPoint",
      [](Json& j) {
        j["operating_point"] = {{"altitude_m", 0}, {"mach", 0}};

@@ -67,6 +67,16 @@ TEST(Scaling, StatesAndSensorsWithoutTrim) {
   EXPECT_EQ(scaling.sensor, Eigen::Vector2d(5.0, 0.25)) << "noise sigma where the trim is 0";
 }
 
+TEST(Scaling, PercentWithoutTrimStaysAsItIs) {
+  LinearModel model;
+  model.states = {{"N1", "percent", 0.0}, {"N2", "%", 95.0}};
+  model.sensors = {{"T", "%", 0.0}, {"N2", "percent", 95.0}};
+  model.sensor_noise_sigma = Eigen::Vector2d(0.75, 0.25);
+  const Scaling scaling = scaling_of(model);
+  EXPECT_EQ(scaling.state, Eigen::Vector2d(1.0, 0.95)) << "95 % of maximum speed is a trim like any other";
+  EXPECT_EQ(scaling.sensor, Eigen::Vector2d(1.0, 0.95));
+}
+
 TEST(Scaling, ScaledModelIsTheSameModel) {
   const LinearModel model = test::made_up_model();
   const Scaling scaling = scaling_of(model);

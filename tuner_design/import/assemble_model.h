@@ -1,0 +1,19 @@
+#pragma once
+// From named variables to a linear model, for every format that may leave things unstated.
+//   n rows of A, nu columns of B, p columns of L, m rows of C, r rows of F. A, L, C, M must be there; without B (or
+//   with an empty one) there are no controls, without F no auxiliary outputs; D and G that are missing are zero. time
+//   Ts above 0: discrete; 0 or missing: continuous, then sample_time_s or the option must say the sample time noise
+//   sensor_noise_sigma or a diagonal R; Q n x n, its diagonal, or one variance for all
+// Names, units and trims: assemble_channels.h.
+
+#include "tuner_design/import/import_model.h"
+#include "tuner_design/import/variables.h"
+
+namespace ehm::bench {
+
+/// @throws design::FileError if something necessary is missing, has the wrong shape, an entry that makes no sense, or
+/// an
+///         option contradicts what is stated; and as design::check_model does.
+ImportedModel assemble_model(const Variables& given, const ImportOptions& options);
+
+}  // namespace ehm::bench

@@ -1,0 +1,154 @@
+#include "tuner_design/import/assemble_noise.h"
+
+#include <cmath>
+
+#include "deploy/files/csv_table.h"
+#include "monitor/design/file_error.h"
+#include "monitor/design/json_object.h"
+#include "monitor/estimation/scaling.h"
+#include "tuner_design/import/assemble_channels.h"
+
+namespace ehm::bench {
+namespace {
+
+using design::shown;
+using design::throw_defect;
+using estimation::LinearModel;
+
+std::string place(const std::string& name, Eigen::Index row, Eigen::Index col) {
+  return name + "(" + std::to_string(row + 1) + "," + std::to_string(col + 1) + ")";
+}
+
+/// Standard deviations, each above zero; NaN where nothing is stated.
+Eigen::VectorXd sigmas(const Variables& given, const std::string& name, Eigen::Index size, const std::string& each) {
+  Eigen::VectorXd sigma = vector_of(given, name, size, each, true);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (std::isnan(sigma(i)) || sigma(i) > 0.0) continue;
+    throw_defect(given.source, name + "(" + std::to_string(i + 1) + ")", shown(sigma(i)), "above 0",
+                 "Give a standard deviation in the channel's unit");
+  }
+  return sigma;
+}
+
+/// Square roots of the diagonal of R, which is m x m, a vector of variances, or one variance for all sensors.
+Eigen::VectorXd sigmas_of_covariance(const Variables& given, Eigen::Index m) {
+  const Eigen::MatrixXd& R = *given.find("R");
+  const bool full = R.rows() == m && R.cols() == m;
+  const Eigen::VectorXd variance = full ? Eigen::VectorXd(R.diagonal()) : vector_of(given, "R", m, "row of C", true);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    if (variance(i) > 0.0) continue;
+    throw_defect(given.source, place("R", i, i), shown(variance(i)), "above 0",
+                 "R is singular; give the variance of one sample's noise, or leave the sensor out");
+  }
+  for (Eigen::Index i = 0; full && i < m; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      if (i == j || std::abs(R(i, j)) <= 1e-9 * std::sqrt(variance(i) * variance(j))) continue;
+      throw_defect(given.source, place("R", i, j), shown(R(i, j)), "0 off the diagonal",
+                   "The filter takes the sensors' noise as independent; give sensor_noise_sigma");
+    }
+  }
+  return variance.cwiseSqrt();
+}
+
+void assemble_health_sigma(const Variables& given, const ImportOptions& options, ImportedModel& result) {
+  LinearModel& model = result.model;
+  model.health_sigma = sigmas(given, "health_sigma", static_cast<Eigen::Index>(model.health.size()), "column of L");
+  const double percent = options.health_sigma_percent.value_or(ImportOptions::default_health_sigma_percent);
+  std::vector<bool> missing(model.health.size());
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    double& sigma = model.health_sigma(static_cast<Eigen::Index>(i));
+    missing[i] = std::isnan(sigma);
+    const bool in_percent = model.health[i].unit == "percent" || model.health[i].unit == "%";
+    if (missing[i]) sigma = in_percent ? percent : percent / 100.0;
+  }
+  const std::string who = listed(model.health, missing);
+  if (who.empty() && options.health_sigma_percent) refuse_option(given, "health_sigma", "--health-sigma");
+  if (!who.empty() && !options.health_sigma_percent) {
+    result.assumed.push_back(who + ": fleet's sigma " + files::shortest(percent) +
+                             " %, since health_sigma is not stated (--health-sigma)");
+  }
+}
+
+void assemble_sensor_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
+  LinearModel& model = result.model;
+  const auto m = static_cast<Eigen::Index>(model.sensors.size());
+  const bool covariance = given.find("R") != nullptr && given.find("R")->size() > 0;
+  Eigen::VectorXd& sigma = model.sensor_noise_sigma;
+  sigma = sigmas(given, "sensor_noise_sigma", m, "row of C");
+  if (covariance && !sigma.array().isNaN().all())
+    throw design::FileError(given.source + ": R and sensor_noise_sigma are both there. Remove one of them.");
+  if (covariance) sigma = sigmas_of_covariance(given, m);
+  const double percent = options.sensor_noise_percent.value_or(ImportOptions::default_sensor_noise_percent);
+  std::vector<bool> missing(model.sensors.size());
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    missing[i] = std::isnan(sigma(at));
+    if (!missing[i]) continue;
+    const double one_percent = estimation::percent_of_trim(model.sensors[i], 0.0);
+    if (one_percent == 0.0) {
+      throw design::FileError(given.source + ": the noise of sensor " + model.sensors[i].name + " (" +
+                              model.sensors[i].unit +
+                              ") is not stated, and cannot be assumed in percent of trim, since "
+                              "its trim is not stated or 0. Give sensor_noise_sigma or R.");
+    }
+    sigma(at) = one_percent * percent;
+  }
+  const std::string who = listed(model.sensors, missing);
+  if (who.empty() && options.sensor_noise_percent) refuse_option(given, "the sensors' noise", "--sensor-noise");
+  if (!who.empty() && !options.sensor_noise_percent) {
+    result.assumed.push_back(who + ": noise sigma " + files::shortest(percent) +
+                             " % of trim, since sensor_noise_sigma is not stated (--sensor-noise)");
+  }
+}
+
+void assume_process_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
+  LinearModel& model = result.model;
+  const double percent = options.process_noise_percent.value_or(ImportOptions::default_process_noise_percent);
+  Eigen::VectorXd sigma(model.A.rows());
+  for (Eigen::Index i = 0; i < sigma.size(); ++i) {
+    const estimation::Channel& state = model.states[static_cast<std::size_t>(i)];
+    sigma(i) = percent * estimation::percent_of_trim(state, 0.0);
+    if (sigma(i) > 0.0) continue;
+    throw design::FileError(given.source +
+                            ": Q is not stated, and cannot be assumed in percent of trim, since the trim "
+                            "of state " +
+                            state.name + " (" + state.unit + ") is not stated or 0. Give Q per sample.");
+  }
+  model.process_noise = sigma.cwiseAbs2().asDiagonal();
+  if (options.process_noise_percent) return;
+  result.assumed.push_back("process noise of the states: sigma " + files::shortest(percent) +
+                           " % of trim per sample, since Q is not stated (--process-noise)");
+}
+
+void assemble_process_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
+  LinearModel& model = result.model;
+  const Eigen::Index n = model.A.rows();
+  const Eigen::MatrixXd* Q = given.find("Q");
+  if (Q == nullptr || Q->size() == 0) return assume_process_noise(given, options, result);
+  if (options.process_noise_percent) refuse_option(given, "Q", "--process-noise");
+  const bool full = Q->rows() == n && Q->cols() == n;
+  model.process_noise = full ? *Q : Eigen::MatrixXd(vector_of(given, "Q", n, "row of A", true).asDiagonal());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double lower = model.process_noise(i, j), upper = model.process_noise(j, i);
+      if (std::abs(lower - upper) <= 1e-9 * model.process_noise.norm()) continue;
+      throw_defect(given.source, place("Q", i, j), shown(lower), shown(upper) + " as " + place("Q", j, i),
+                   "A covariance is symmetric; (Q + Q')/2 is, if this is round-off");
+    }
+  }
+}
+
+}  // namespace
+
+void refuse_option(const Variables& given, const std::string& stated, const std::string& option) {
+  throw design::FileError(given.source + ": states " + stated + ", so that " + option +
+                          " would do nothing; allowed: one of the two. Remove one.");
+}
+
+void assemble_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
+  assemble_health_sigma(given, options, result);
+  assemble_sensor_noise(given, options, result);
+  assemble_process_noise(given, options, result);
+}
+
+}  // namespace ehm::bench

@@ -1,0 +1,22 @@
+#pragma once
+// Standard deviations of health and of the sensors' noise, and the process noise, from named variables or, where these
+// do not state them, from the options in percent.
+//   health sigma   health_sigma: a number for each parameter or one for all, in its unit
+//   sensor noise   sensor_noise_sigma likewise, or R: m x m and diagonal, a vector of variances, or one variance
+//   process noise  Q per sample: n x n, a vector of variances, or one variance
+// What is assumed in percent of trim needs a trim, or a channel in percent.
+
+#include "tuner_design/import/import_model.h"
+#include "tuner_design/import/variables.h"
+
+namespace ehm::bench {
+
+/// `result` has its matrices and channels.
+/// @throws design::FileError if a length is wrong, a sigma or variance is not above zero, R has entries off its
+///         diagonal, Q is not symmetric, something is stated twice, or cannot be assumed for want of a trim.
+void assemble_noise(const Variables& given, const ImportOptions& options, ImportedModel& result);
+
+/// Nothing that the user says is silently without effect.
+[[noreturn]] void refuse_option(const Variables& given, const std::string& stated, const std::string& option);
+
+}  // namespace ehm::bench
