@@ -13,6 +13,7 @@
 #include "tuner_design/import_options.h"
 #include "tuner_design/linearise_command.h"
 #include "tuner_design/monte_carlo/evaluate_command.h"
+#include "tuner_design/report/report_command.h"
 #include "tuner_design/sensors/sensors_command.h"
 #include "tuner_design/studies/study_command.h"
 #include "tuner_design/sweep_command.h"
@@ -61,12 +62,13 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   add_linearise_command(app, run);
   add_import_command(app, run);
   add_design_command(app, run);
-  add_sweep_command(app, run);
-  add_evaluate_command(app, run);
-  add_study_command(app, run);
   add_check_command(app, run);
   add_baselines_command(app, run);
+  add_sweep_command(app, run);
   add_sensors_command(app, run);
+  add_evaluate_command(app, run);
+  add_study_command(app, run);
+  add_report_command(app, run);
   const std::string command = argc > 1 ? argv[1] : "";
   const auto known = app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == command; });
   if (!command.empty() && command.front() != '-' && known.empty()) {

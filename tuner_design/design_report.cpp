@@ -34,20 +34,6 @@ bool reduces(const Design& design) {
   return design.full.V.rows() < design.full.V.cols();
 }
 
-std::string reduction(const Design& design) {
-  if (!reduces(design)) return "none, V = I: at least as many sensors as health parameters";
-  const std::string why = ": fewer sensors than health parameters";
-  switch (design.options.tuning) {
-    case design::Tuning::closed_form:
-      return "closed form, V = H Ph" + why;
-    case design::Tuning::kalman:
-      return "search for the least error of the Kalman filter" + why;
-    case design::Tuning::map:
-      return "search for the least error of the MAP estimator" + why;
-  }
-  return "?";
-}
-
 Json missing_as_json(const Design& design) {
   Json result = Json::object();
   for (std::size_t i = 0; i < design.missing.size(); ++i) {
@@ -120,6 +106,20 @@ void print_missing(const Design& design, std::ostream& out) {
 }
 
 }  // namespace
+
+std::string reduction(const Design& design) {
+  if (!reduces(design)) return "none, V = I: at least as many sensors as health parameters";
+  const std::string why = ": fewer sensors than health parameters";
+  switch (design.options.tuning) {
+    case design::Tuning::closed_form:
+      return "closed form, V = H Ph" + why;
+    case design::Tuning::kalman:
+      return "search for the least error of the Kalman filter" + why;
+    case design::Tuning::map:
+      return "search for the least error of the MAP estimator" + why;
+  }
+  return "?";
+}
 
 Json design_as_json(const Design& design) {
   const auto& health = design.model.health;

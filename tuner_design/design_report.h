@@ -4,6 +4,7 @@
 
 #include <iosfwd>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "monitor/design/design.h"
 
@@ -14,6 +15,9 @@ namespace ehm::bench {
 /// worse_than_prior (health parameters), auxiliary_unit, row_space (orthonormal rows), reduction (in words), tuning,
 /// certificate (certificate_json.h), without_sensor.
 nlohmann::ordered_json design_as_json(const design::Design& design);
+
+/// How the tuners were chosen, and why at all.
+std::string reduction(const design::Design& design);
 
 void print_design(const design::Design& design, std::ostream& out);
 

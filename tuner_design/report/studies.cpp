@@ -1,0 +1,65 @@
+#include "tuner_design/report/studies.h"
+
+#include <exception>
+
+#include "tuner_design/choose_tuners.h"
+
+namespace ehm::bench::report {
+namespace {
+
+constexpr double fastest_qh = 1e-1, slowest_qh = 1e-6;
+constexpr int trade_points = 21;
+
+/// The other points of an envelope are not in the design file: their search cannot be repeated.
+std::vector<SearchCourse> search_again(const design::Design& design, unsigned threads) {
+  const design::Certificate& certificate = design.certificate;
+  if (certificate.starts.empty() || certificate.points.size() != 1) return {};
+  const ChosenTuners chosen = choose_tuners({{prepare(design.model)}, {1.0}}, design.full.sensors, design.full.V.rows(),
+                                            design.options, design.options.random_starts, threads);
+  std::vector<SearchCourse> courses;
+  for (std::size_t i = 0; i < chosen.search.starts.size(); ++i)
+    courses.push_back({chosen.search.starts[i].name, chosen.search.history[i]});
+  return courses;
+}
+
+/// Shares of the time that the studies take.
+constexpr double search_share = 0.05, trade_share = 0.15;
+
+void fly(Studies& studies, const design::Design& design, bool nonlinear, const StudyOptions& options, double from,
+         double to) {
+  EvaluateOptions flight;
+  flight.linear = !nonlinear;
+  flight.nonlinear = nonlinear;
+  flight.threads = options.threads;
+  const std::string truth = nonlinear ? "the nonlinear engine" : "the linear engine";
+  try {
+    Evaluation evaluation =
+        evaluate(design, flight, [&](double share) { options.progress(from + (to - from) * share); });
+    for (Experiment& experiment : evaluation.experiments) studies.experiments.push_back(std::move(experiment));
+  } catch (const std::exception& error) {  // a design for another engine, or one that cannot be flown
+    studies.not_flown.push_back("No experiment on " + truth + ": " + error.what() + ".");
+  }
+}
+
+}  // namespace
+
+Studies run_studies(const design::Design& design, const StudyOptions& options) {
+  Studies studies;
+  studies.courses = search_again(design, options.threads);
+  options.progress(search_share);
+  const double slow = options.quick ? 1.0 : trade_share;
+  studies.trade = response_sweep(design, logarithmic_steps(slowest_qh, fastest_qh, trade_points), options.threads,
+                                 [&](std::size_t done) {
+                                   const double share = static_cast<double>(done) / trade_points;
+                                   options.progress(search_share + (slow - search_share) * share);
+                                 });
+  if (options.quick) {
+    studies.not_flown.push_back("The Monte Carlo was left out (--quick): theory stands unproven here.");
+    return studies;
+  }
+  fly(studies, design, false, options, trade_share, 0.4);
+  fly(studies, design, true, options, 0.4, 1.0);
+  return studies;
+}
+
+}  // namespace ehm::bench::report

@@ -1,0 +1,37 @@
+#pragma once
+// What a report computes beside the design: the search once more for its course, the trade of response time against
+// accuracy, and the Monte Carlo. The same design gives the same studies on any number of threads.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "monitor/design/design.h"
+#include "tuner_design/monte_carlo/evaluation.h"
+#include "tuner_design/search/response_time.h"
+
+namespace ehm::bench::report {
+
+/// The course of one start of the search: best J after each evaluation.
+struct SearchCourse {
+  std::string start;
+  std::vector<double> objective;
+};
+
+struct Studies {
+  std::vector<SearchCourse> courses;  ///< empty for a design without a search, and for an envelope of several points
+  std::vector<ResponsePoint> trade;   ///< over Qh, ascending
+  std::vector<Experiment> experiments;
+  std::vector<std::string> not_flown;  ///< in sentences: which experiments are missing, and why
+};
+
+struct StudyOptions {
+  bool quick = false;  ///< no Monte Carlo
+  unsigned threads = 1;
+  std::function<void(double)> progress = [](double) {};  ///< share of the work that is done, 0 to 1
+};
+
+/// @throws as design_tuner.
+Studies run_studies(const design::Design& design, const StudyOptions& options);
+
+}  // namespace ehm::bench::report
