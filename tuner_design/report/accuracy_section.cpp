@@ -4,6 +4,7 @@
 #include <map>
 
 #include "tuner_design/report/bar_chart.h"
+#include "tuner_design/report/comparison.h"
 #include "tuner_design/report/html_table.h"
 #include "tuner_design/report/sections.h"
 #include "tuner_design/report/text.h"
@@ -63,9 +64,9 @@ void add_health(Section& section, const ReportData& data) {
   const DataTable table = channel_table(data.health, names, std::vector<std::string>(names.size(), "percent"));
   section.add_figure(
       chart.id, "Health parameters: sigma total and what it is made of.",
-      "The wide bar is the published standard deviation; the thin bars are its parts, which add as "
-      "squares. A bar that reaches the diamond tells nothing that the fleet did not tell before; the "
-      "upright stroke is what no estimator can pass.",
+      "The wide bar is the published standard deviation; the thin bars are its parts, which add as squares. A bar "
+      "that reaches the diamond tells nothing that the fleet did not tell before; the upright stroke is what no "
+      "estimator can pass.",
       responsive(chart) +
           html_table(table, "Health parameters: standard deviations and the variance that the sensors explain"),
       table);
@@ -93,38 +94,15 @@ void add_auxiliary(Section& section, const ReportData& data) {
       table);
 }
 
-void add_totals(Section& section, const ReportData& data) {
-  const auto& design = data.design;
-  const bool has_auxiliary = !design.model.auxiliary.empty();
-  DataTable table{{"estimator", "data", "SSEE(h) [percent²]", "SSEE(h) / limit"}, {}};
-  if (has_auxiliary) table.columns.insert(table.columns.end(), {"SSEE(z) [mixed]", "SSEE(z) / limit"});
-  const double limit_h = data.health.limit.sum(), limit_z = data.auxiliary.limit.sum();
-  const auto add = [&](const std::string& name, const std::string& seen, double h, double z) {
-    std::vector<Cell> row{name, seen, h, limit_h > 1e-9 * h ? h / limit_h : no_number};
-    if (has_auxiliary) row.insert(row.end(), {z, limit_z > 1e-9 * z ? z / limit_z : no_number});
-    table.rows.push_back(std::move(row));
-  };
-  add("Fleet knowledge only", "none", data.health.prior.sum(), data.auxiliary.prior.sum());
-  add("Full-order MAP", "one noisy snapshot", design.full_map.health.sum(), design.full_map.auxiliary.sum());
-  add("MAP on the tuners", "one noisy snapshot", design.reduced_map.health.sum(), design.reduced_map.auxiliary.sum());
-  add("This filter, nonlinearity included", "steady, endless", data.health.total.sum(), data.auxiliary.total.sum());
-  add("This filter, linear engine", "steady, endless", design.ssee.health.sum(), design.ssee.auxiliary.sum());
-  add("Bayes limit", "steady, endless", limit_h, limit_z);
-  section.add_table("totals", "Sum of squared errors (SSEE), expected over the fleet; z adds K², percent² and points²",
-                    table);
-}
-
 }  // namespace
 
 Section accuracy_section(const ReportData& data) {
   Section section{"accuracy", "Accuracy against the limit"};
   section.add_text(
       "Errors are expected values over a fleet of engines whose health scatters as the model states. The Bayes limit "
-      "is "
-      "what remains when all noise is averaged out: the part of health that these sensors cannot show at this "
-      "operating "
-      "point.");
-  add_totals(section, data);
+      "is what remains when all noise is averaged out: the part of health that these sensors cannot show at this "
+      "operating point.");
+  add_comparison(section, data);
   add_health(section, data);
   add_auxiliary(section, data);
   return section;

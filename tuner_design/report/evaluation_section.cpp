@@ -56,8 +56,8 @@ BarChart ratio_chart(const Experiment& experiment, const std::vector<std::string
       .id = "experiment-" + std::to_string(number + 1),
       .title = "Experiment over theory: " + name_of(experiment),
       .description =
-          "Squared error of the experiment divided by theory, by channel, with the bounds of two "
-          "standard errors around theory.",
+          "Squared error of the experiment divided by theory, by channel, with the bounds of two standard errors "
+          "around theory.",
       .categories = channels,
       .series = {{"experiment / theory", values_of(joined(experiment.experiment).cwiseQuotient(theory)), 1, 10.0}},
       .marks = {},
@@ -100,8 +100,8 @@ void add_coverage(Section& section, const std::vector<Experiment>& experiments,
   }
   if (table.columns.size() > 1)
     section.add_table("coverage",
-                      "Share of the time that the truth lies within the published ±1.96 sigma total, 95 % if "
-                      "the sigma is right and the errors are normal",
+                      "Share of the time that the truth lies within the published ±1.96 sigma total, 95 % if the "
+                      "sigma is right and the errors are normal",
                       table, 1);
 }
 
@@ -113,8 +113,8 @@ Section evaluation_section(const ReportData& data) {
   const std::vector<Experiment>& experiments = data.studies.experiments;
   if (experiments.empty()) return section;
   section.add_text(
-      "The monitor's own filter flew on many engines with health drawn from the fleet; theory is that of the same time "
-      "window from the same cold start.");
+      "The monitor's own filter flew on many engines with health drawn from the fleet; theory is that of the same "
+      "time window from the same cold start.");
   const std::vector<std::string> channels = channels_of(data.design);
   std::vector<BarChart> charts;
   std::string truths;
@@ -129,8 +129,8 @@ Section evaluation_section(const ReportData& data) {
                     totals_table(experiments, !data.design.model.auxiliary.empty()));
   section.add_figure(
       "experiments", "The filter's experiment over theory by channel.",
-      "A bar that ends between the two strokes agrees with theory within two standard errors of the Monte "
-      "Carlo; about one in twenty may miss them by chance.",
+      "A bar that ends between the two strokes agrees with theory within two standard errors of the Monte Carlo; "
+      "about one in twenty may miss them by chance.",
       panels(charts), channel_table(experiments, channels));
   add_coverage(section, experiments, channels);
   return section;

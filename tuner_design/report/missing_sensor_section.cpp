@@ -36,11 +36,11 @@ Section missing_sensor_section(const ReportData& data) {
     }
   }
   section.add_text(
-      "For each sensor there is a design that does without it; the monitor changes over by itself. Errors "
-      "include what the linear model misses. A sensor without a bar has no such design.");
+      "For each sensor there is a design that does without it; the monitor changes over by itself. Errors include "
+      "what the linear model misses. A sensor without a bar has no such design.");
   section.add_figure(chart.id, "How much each sensor is worth.",
-                     "The longer the bar, the more is lost with that sensor; at the diamond nothing is known that the "
-                     "fleet did not tell.",
+                     "The longer the bar, the more is lost with that sensor; at the diamond nothing is known that "
+                     "the fleet did not tell.",
                      responsive(chart) + html_table(table, "Designs without one sensor"), table);
   return section;
 }

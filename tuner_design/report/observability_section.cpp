@@ -41,8 +41,8 @@ BarChart strength_chart(const Directions& directions) {
   BarChart chart{.id = "singular-values",
                  .title = "What the sensors see of health",
                  .description =
-                     "Singular values of the steady sensitivity in units of sensor noise and of the fleet's "
-                     "spread, on a logarithmic axis.",
+                     "Singular values of the steady sensitivity in units of sensor noise and of the fleet's spread, "
+                     "on a logarithmic axis.",
                  .categories = {},
                  .series = {{"signal to noise of one sample", {}}},
                  .marks = {{"as strong as the noise", {}}},
@@ -73,8 +73,7 @@ Section observability_section(const ReportData& data) {
   const Eigen::Index p = data.steady.H.cols(), unseen = p - directions.seen;
   section.add_text(
       "Health changes the sensors in combinations. Ordered from the strongest to the weakest, and in units of the "
-      "sensors' "
-      "noise and of the fleet's spread, there are " +
+      "sensors' noise and of the fleet's spread, there are " +
       std::to_string(directions.seen) + " of them" +
       (unseen > 0 ? "; in " + std::to_string(unseen) + (unseen == 1 ? " further direction" : " further directions") +
                         " health can change without any sensor noticing. That part is the Bayes limit."
@@ -82,8 +81,8 @@ Section observability_section(const ReportData& data) {
   const BarChart chart = strength_chart(directions);
   section.add_figure(
       chart.id, "How strongly each combination shows.",
-      "A combination below the stroke at 1 is weaker than the noise of one sample and has to be averaged: "
-      "N samples gain a factor of √N.",
+      "A combination below the stroke at 1 is weaker than the noise of one sample and has to be averaged: N samples "
+      "gain a factor of √N.",
       responsive(chart), strength_table(directions, data.model.sample_time_s));
   HeatMap map{"directions",
               "Combinations of health parameters",

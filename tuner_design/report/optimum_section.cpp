@@ -68,8 +68,8 @@ void add_courses(Section& section, const ReportData& data) {
   LineChart chart{.id = "search-courses",
                   .title = "Convergence of the starts",
                   .description =
-                      "Relative distance of the best objective so far from that of the design, over the "
-                      "number of evaluations, one line a start.",
+                      "Relative distance of the best objective so far from that of the design, over the number of "
+                      "evaluations, one line a start.",
                   .x = {"evaluations of the objective", true},
                   .y = {"J / J of the design − 1", true},
                   .series = {}};

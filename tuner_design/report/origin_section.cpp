@@ -39,8 +39,8 @@ DataTable facts(const ReportData& data) {
                         counted(model.auxiliary.size(), "auxiliary output") + ", " +
                         counted(static_cast<std::size_t>(design.full.V.rows()), "tuner"));
   add("Scaling",
-      "states and sensors in percent of trim; health in percent; temperatures in K; margins in points; "
-      "other auxiliary outputs in percent of trim");
+      "states and sensors in percent of trim; health in percent; temperatures in K; margins in points; other "
+      "auxiliary outputs in percent of trim");
   add("Linearisation error", model.linearisation_error.size() > 0 ? "measured, part of every published sigma"
                                                                   : "not given: the engine is taken as linear");
   add("Tuners", reduction(design));

@@ -36,7 +36,8 @@ main { counter-reset: figure; }
 dl.key { display: grid; grid-template-columns: repeat(auto-fit, minmax(9.5rem, 1fr)); gap: 0.7rem; margin: 1.3rem 0; }
 dl.key div { padding: 0.7rem 0.85rem; background: var(--panel); border-left: 3px solid var(--c1); }
 dl.key dt { color: var(--soft); font-size: 0.8rem; line-height: 1.3; }
-dl.key dd { margin: 0.2rem 0 0; font-size: 1.45rem; font-weight: 600; white-space: nowrap; font-variant-numeric: tabular-nums; }
+dl.key dd { margin: 0.2rem 0 0; font-size: 1.45rem; font-weight: 600; white-space: nowrap;
+  font-variant-numeric: tabular-nums; }
 dl.key .unit { font-size: 0.85rem; font-weight: 400; color: var(--soft); }
 figure { margin: 1.8rem 0; }
 figcaption { margin-bottom: 0.7rem; color: var(--soft); font-size: 0.92rem; max-width: 44rem; }
@@ -50,7 +51,8 @@ a.csv:hover, a.csv:focus { border-color: var(--link); }
 figure .scroll { margin-top: 1rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: 0.88rem; line-height: 1.35; overflow-wrap: normal; }
-caption { caption-side: top; position: sticky; left: 0; max-width: calc(100vw - 1.5rem); padding-bottom: 0.5rem; text-align: left; color: var(--soft); font-size: 0.92rem; }
+caption { caption-side: top; position: sticky; left: 0; max-width: calc(100vw - 1.5rem); padding-bottom: 0.5rem;
+  text-align: left; color: var(--soft); font-size: 0.92rem; }
 th, td { padding: 0.28rem 0.6rem; text-align: left; vertical-align: top; border-bottom: 1px solid var(--grid);
   unicode-bidi: isolate; }
 thead th { vertical-align: bottom; border-bottom: 1px solid var(--ink); font-weight: 600; }
@@ -74,10 +76,12 @@ svg text { fill: var(--ink); unicode-bidi: isolate; }
 .label { font-size: 12px; } .axis { font-size: 12px; } .heading { font-size: 12.5px; font-weight: 600; }
 svg .tick { font-size: 11px; fill: var(--soft); } .value { font-size: 11px; font-variant-numeric: tabular-nums; }
 svg .axis { fill: var(--soft); }
-.cell-number { font-size: 10.5px; font-variant-numeric: tabular-nums; } svg .cell-number.strong { fill: var(--on-strong); }
+.cell-number { font-size: 10.5px; font-variant-numeric: tabular-nums; }
+svg .cell-number.strong { fill: var(--on-strong); }
 .grid { stroke: var(--grid); stroke-width: 1; } .grid.minor { stroke-opacity: 0.55; }
 .frame { stroke: var(--soft); stroke-width: 1; }
-.cell { stroke: var(--rule); stroke-width: 0.6; } .positive { fill: var(--positive); } .negative { fill: var(--negative); }
+.cell { stroke: var(--rule); stroke-width: 0.6; }
+.positive { fill: var(--positive); } .negative { fill: var(--negative); }
 .fill1 { fill: var(--c1); } .fill2 { fill: var(--c2); } .fill3 { fill: var(--c3); }
 .fill4 { fill: var(--c4); } .fill5 { fill: var(--c5); } .fill6 { fill: var(--c6); }
 .stroke1 { stroke: var(--c1); } .stroke2 { stroke: var(--c2); } .stroke3 { stroke: var(--c3); }
@@ -87,7 +91,8 @@ svg .axis { fill: var(--soft); }
 .hollow1, .hollow2, .hollow3, .hollow4, .hollow5, .hollow6 { fill: var(--paper); stroke-width: 1.8; }
 .hollow1 { stroke: var(--c1); } .hollow2 { stroke: var(--c2); } .hollow3 { stroke: var(--c3); }
 .hollow4 { stroke: var(--c4); } .hollow5 { stroke: var(--c5); } .hollow6 { stroke: var(--c6); }
-footer { margin-top: 3rem; padding-top: 0.8rem; border-top: 1px solid var(--rule); color: var(--soft); font-size: 0.82rem; }
+footer { margin-top: 3rem; padding-top: 0.8rem; border-top: 1px solid var(--rule); color: var(--soft);
+  font-size: 0.82rem; }
 @media screen and (max-width: 719px) {
   body { padding: 1.3rem 0.75rem 2rem; }
   h1 { font-size: 1.4rem; } h2 { margin-top: 2.2rem; }

@@ -75,9 +75,9 @@ Section response_section(const ReportData& data) {
   for (Eigen::Index j = 0; j < data.settled.cols(); ++j) charts.push_back(step_chart(data, response, j, range));
   section.add_figure(
       "step-response", "The filter after a step of one sigma in one health parameter.",
-      "Each drawing is one experiment on the linear engine without noise, its name is the parameter that "
-      "changes at time 0. The blue line would reach the dashed one if the sensors could see that parameter "
-      "alone; thin lines are what the filter takes for changes of the other parameters.",
+      "Each drawing is one experiment on the linear engine without noise, its name is the parameter that changes at "
+      "time 0. The blue line would reach the dashed one if the sensors could see that parameter alone; thin lines "
+      "are what the filter takes for changes of the other parameters.",
       panels(charts), step_table(data, response));
   add_trade_figures(section, data);
   return section;

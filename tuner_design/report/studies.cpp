@@ -1,5 +1,6 @@
 #include "tuner_design/report/studies.h"
 
+#include <algorithm>
 #include <exception>
 
 #include "tuner_design/choose_tuners.h"
@@ -23,7 +24,18 @@ std::vector<SearchCourse> search_again(const design::Design& design, unsigned th
 }
 
 /// Shares of the time that the studies take.
-constexpr double search_share = 0.05, trade_share = 0.15;
+constexpr double baseline_share = 0.1, search_share = 0.15, trade_share = 0.25;
+
+std::vector<Baseline> compare(const design::Design& design, const StudyOptions& options) {
+  constexpr double run_s = 30.0, most_samples = 1e6;
+  const double sample_s = design.model.sample_time_s;
+  const double total = std::max(1.0, static_cast<double>(subsets_to_try(design)));
+  BaselineOptions baseline;
+  baseline.run_s = std::clamp(run_s, sample_s, most_samples * sample_s);
+  baseline.threads = options.threads;
+  baseline.progress = [&](std::size_t done) { options.progress(baseline_share * static_cast<double>(done) / total); };
+  return baselines(design, baseline);
+}
 
 void fly(Studies& studies, const design::Design& design, bool nonlinear, const StudyOptions& options, double from,
          double to) {
@@ -45,6 +57,8 @@ void fly(Studies& studies, const design::Design& design, bool nonlinear, const S
 
 Studies run_studies(const design::Design& design, const StudyOptions& options) {
   Studies studies;
+  studies.baselines = compare(design, options);
+  options.progress(baseline_share);
   studies.courses = search_again(design, options.threads);
   options.progress(search_share);
   const double slow = options.quick ? 1.0 : trade_share;

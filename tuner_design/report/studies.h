@@ -1,12 +1,13 @@
 #pragma once
-// What a report computes beside the design: the search once more for its course, the trade of response time against
-// accuracy, and the Monte Carlo. The same design gives the same studies on any number of threads.
+// What a report computes beside the design: the baselines, the search once more for its course, the trade of response
+// time against accuracy, and the Monte Carlo. The same design gives the same studies on any number of threads.
 
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "monitor/design/design.h"
+#include "tuner_design/baselines/baselines.h"
 #include "tuner_design/monte_carlo/evaluation.h"
 #include "tuner_design/search/response_time.h"
 
@@ -19,6 +20,7 @@ struct SearchCourse {
 };
 
 struct Studies {
+  std::vector<Baseline> baselines;
   std::vector<SearchCourse> courses;  ///< empty for a design without a search, and for an envelope of several points
   std::vector<ResponsePoint> trade;   ///< over Qh, ascending
   std::vector<Experiment> experiments;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tuner_design/design_tuner.h"
+#include "tuner_design/report/limit_ratio.h"
 #include "tuner_design/report/sections.h"
 #include "tuner_design/report/text.h"
 
@@ -22,11 +23,6 @@ std::string what_was_designed(const ReportData& data) {
   return "This filter estimates " + counted(p, "health parameter") + outputs + " of “" + model.name + "” from " +
          counted(m, "sensor") + ". These cannot tell the health parameters apart, so the filter follows " +
          counted(t, "combination") + " of them, the tuners.";
-}
-
-/// A limit that is only round-off beside the error is none.
-bool has_limit(double ssee, double limit) {
-  return limit > 1e-9 * ssee;
 }
 
 std::string how_near(const ReportData& data) {

@@ -63,9 +63,9 @@ void add_trade_figures(Section& section, const ReportData& data) {
   if (!data.design.model.auxiliary.empty()) charts.push_back(parts_chart(data, false));
   section.add_figure(
       "trade", "Response time against accuracy (Pareto curve).",
-      "Each point of a line is a design with its own Qh and its own tuners; to the left the filter "
-      "answers faster and scatters more. The blue line cannot pass the dashed one, and a design above the "
-      "blue line gives accuracy away.",
+      "Each point of a line is a design with its own Qh and its own tuners; to the left the filter answers faster "
+      "and scatters more. The blue line cannot pass the dashed one, and a design above the blue line gives accuracy "
+      "away.",
       panels(charts), trade_table(data.studies.trade));
 }
 

@@ -23,17 +23,17 @@ Section tuner_section(const ReportData& data) {
                      responsive(tuners), data_of(tuners, "tuner"));
   const HeatMap resolution{"resolution",
                            "Resolution of the estimate",
-                           "Settled estimate of each health parameter (rows) for a change of one percent of each true "
-                           "health parameter (columns).",
+                           "Settled estimate of each health parameter (rows) for a change of one percent of each "
+                           "true health parameter (columns).",
                            names,
                            names,
                            data.settled * data.model.health_sigma.cwiseInverse().asDiagonal(),
                            "percent estimated per percent true",
                            1.0};
   section.add_figure(resolution.id, "What becomes of a change of one parameter.",
-                     "A column is a true change of 1 %, the rows are what the filter makes of it once settled. A blue "
-                     "diagonal of ones and nothing else would be perfect sight; entries off the diagonal are what is "
-                     "taken for another parameter.",
+                     "A column is a true change of 1 %, the rows are what the filter makes of it once settled. A "
+                     "blue diagonal of ones and nothing else would be perfect sight; entries off the diagonal are "
+                     "what is taken for another parameter.",
                      responsive(resolution), data_of(resolution, "estimate"));
   return section;
 }

@@ -131,8 +131,8 @@ TEST(Report, NumbersAreThoseOfTheDesign) {
   const Page page = design_page(design, {});
   const auto json = design_as_json(design);
   const std::string h = "SSEE(h) [percent²]", z = "SSEE(z) [mixed]";
-  EXPECT_EQ(number_in(page, "totals", "This filter, linear engine", h), json["ssee_health"]["total"]);
-  EXPECT_EQ(number_in(page, "totals", "This filter, linear engine", z), json["ssee_auxiliary"]["total"]);
+  EXPECT_EQ(number_in(page, "totals", "This design", h), json["ssee_health"]["total"]);
+  EXPECT_EQ(number_in(page, "totals", "This design", z), json["ssee_auxiliary"]["total"]);
   EXPECT_EQ(number_in(page, "totals", "Bayes limit", h), json["bayes_limit_health"]["total"]);
   EXPECT_EQ(number_in(page, "totals", "Full-order MAP", z), json["full_map_auxiliary"]["total"]);
   EXPECT_EQ(number_in(page, "totals", "MAP on the tuners", h), json["reduced_map_health"]["total"]);
@@ -144,7 +144,7 @@ TEST(Report, NumbersAreThoseOfTheDesign) {
   EXPECT_DOUBLE_EQ(number_in(page, "missing-sensor", "y2", h),
                    json["without_sensor"]["y2"]["ssee_health"]["total"].get<double>());
   // the limit is not what the filter reaches: the two must not be mixed up
-  EXPECT_NE(number_in(page, "totals", "Bayes limit", h), number_in(page, "totals", "This filter, linear engine", h));
+  EXPECT_NE(number_in(page, "totals", "Bayes limit", h), number_in(page, "totals", "This design", h));
 }
 
 TEST(Report, HtmlShowsNumbersOfItsTables) {
@@ -167,7 +167,7 @@ std::vector<PageCase> page_cases() {
                               {"no_auxiliary", without_auxiliary(test::made_up_model())},
                               {"one_health", two_sensors_one_health},
                               {"one_of_each", without_auxiliary(test::made_up_model(1, 1))},
-                              {"full_wire", test::made_up_model(12, 16)},
+                              {"full_wire", test::made_up_model(15, 16)},
                               {"odd", oddly_named(test::made_up_model())}};
   if (const auto jt9d = test::jt9d_cruise()) cases.push_back({"jt9d", *jt9d});
   if (const auto mapss = test::mapss()) cases.push_back({"mapss", *mapss});
@@ -180,7 +180,7 @@ TEST(Report, EveryEngineMakesASoundPage) {
   for (const PageCase& page : page_cases()) {
     const std::string design = folder.path(page.name + ".json"), html = folder.path(page.name + ".html");
     design::write_design(design_tuner(page.model, {}), design);
-    const Result result = run({"report", design, "-o", html, "--csv-dir", folder.path(page.name)});
+    const Result result = run({"report", design, "-o", html, "--csv-dir", folder.path(page.name), "--quick"});
     ASSERT_EQ(result.code, 0) << page.name << ": " << result.err;
     const std::string check = std::string("python3 ") + EHM_SOURCE_DIR + "/tests/unit/tuner_design/check_page.py " +
                               html + " " + folder.path(page.name);
@@ -188,6 +188,39 @@ TEST(Report, EveryEngineMakesASoundPage) {
     EXPECT_THAT(folder.content(page.name + ".html"), Not(HasSubstr("<script")));
     EXPECT_THAT(folder.content(page.name + ".html"), Not(HasSubstr("onload=alert(2)>")));
   }
+}
+
+TEST(Report, StudiesStandBesideTheDesign) {
+  const design::Design design = design_tuner(test::made_up_model(), {});
+  const Studies studies = run_studies(design, {.quick = false, .threads = 2});
+  const Page page = design_page(design, studies);
+  // baselines: the design on one line, the full-order filter near it, the limit below both
+  const std::string h = "SSEE(h) [percent²]";
+  const double filter = number_in(page, "totals", "This design", h);
+  EXPECT_LT(number_in(page, "totals", "Bayes limit", h), filter);
+  EXPECT_GT(number_in(page, "totals", "Kalman filter on the best subset", h), filter);
+  // the course of each start ends where the certificate says
+  ASSERT_EQ(studies.courses.size(), design.certificate.starts.size());
+  for (std::size_t i = 0; i < studies.courses.size(); ++i)
+    EXPECT_DOUBLE_EQ(studies.courses[i].objective.back(), design.certificate.starts[i].last);
+  // less speed, less noise
+  ASSERT_GT(studies.trade.size(), 2U);
+  EXPECT_GT(studies.trade.front().time_constant_s, studies.trade.back().time_constant_s);
+  EXPECT_LT(studies.trade.front().health_noise, studies.trade.back().health_noise);
+  // the made up engine has a linear truth only, and the page says so
+  EXPECT_EQ(studies.experiments.size(), 3U);
+  ASSERT_EQ(studies.not_flown.size(), 1U);
+  const std::string html = to_html(page);
+  EXPECT_THAT(html, HasSubstr("No experiment on the nonlinear engine"));
+  EXPECT_THAT(html, HasSubstr("id=\"coverage\""));
+  EXPECT_EQ(html, to_html(design_page(design, run_studies(design, {.quick = false, .threads = 1}))));
+}
+
+TEST(Report, QuickSaysWhatItLeavesOut) {
+  const design::Design design = design_tuner(test::made_up_model(), {});
+  const std::string html = to_html(design_page(design, run_studies(design, {.quick = true})));
+  EXPECT_THAT(html, HasSubstr("The Monte Carlo was left out (--quick)"));
+  EXPECT_THAT(html, Not(HasSubstr("id=\"coverage\"")));
 }
 
 TEST(Report, CheckOfPagesFindsDefects) {
@@ -234,10 +267,10 @@ TEST(Report, CommandSaysWhatIsWrong) {
   EXPECT_THAT(no_folder.err, HasSubstr(design));
   EXPECT_EQ(run({"report", design, "-o", "/nonexistent/r.html"}).code, 2);
 
-  const Result json = run({"report", design, "-o", folder.path("r.html"), "--json"});
+  const Result json = run({"report", design, "-o", folder.path("r.html"), "--json", "--quick"});
   ASSERT_EQ(json.code, 0) << json.err;
   EXPECT_EQ(nlohmann::json::parse(json.out)["design"]["hash"], design::read_design(design).hash);
-  EXPECT_EQ(run({"report", design, "-o", folder.path("q.html"), "--quiet"}).out, "");
+  EXPECT_EQ(run({"report", design, "-o", folder.path("q.html"), "--quiet", "--quick"}).out, "");
 }
 
 }  // namespace
