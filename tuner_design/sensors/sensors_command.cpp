@@ -9,6 +9,7 @@
 #include "monitor/design/file_error.h"
 #include "monitor/design/model_file.h"
 #include "tuner_design/design_command.h"
+#include "tuner_design/import_options.h"
 #include "tuner_design/sensors/sensor_costs.h"
 #include "tuner_design/sensors/sensor_report.h"
 
@@ -20,6 +21,7 @@ struct Arguments {
   std::vector<std::string> costs, keep;
   double qh_percent2 = design::DesignOptions{}.qh_percent2;
   WeightArguments weights;
+  ImportOptions import;
   SensorChoice choice;
   OutputOptions output;
 };
@@ -40,8 +42,15 @@ SensorProblem problem_of(const Arguments& arguments, const estimation::LinearMod
   }
 }
 
+/// A JSON model may have more sensors here than a design may.
+estimation::LinearModel candidates_of(const Arguments& arguments) {
+  if (is_foreign_model(arguments.model)) return import_model(arguments.model, arguments.import).model;
+  refuse_import_options(arguments.model, arguments.import);
+  return design::read_model(arguments.model, max_candidates);
+}
+
 void select(const Arguments& arguments, const Console& console) {
-  const estimation::LinearModel model = design::read_model(arguments.model, max_candidates);
+  const estimation::LinearModel model = candidates_of(arguments);
   SensorReport report;
   report.choice = choice_of(arguments, model.sensors);
   const SensorProblem problem = problem_of(arguments, model);
@@ -68,9 +77,9 @@ void select(const Arguments& arguments, const Console& console) {
 void add_sensors_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("sensors", "Which sensors are worth having: cost against accuracy");
-  command->add_option("model", arguments->model, "Linear model file with all candidates, at most 20 sensors")
+  command->add_option("model", arguments->model, std::string(model_help) + "; with all candidates, at most 20 sensors")
       ->required()
-      ->type_name("M.json");
+      ->type_name("MODEL");
   command->add_option("--cost", arguments->costs, "NAME=VALUE, or a CSV file with the columns sensor,cost; default 1")
       ->type_name("COST");
   command->add_option("--keep", arguments->keep, "Sensor that every set must have")->type_name("NAME");
@@ -84,6 +93,7 @@ void add_sensors_command(CLI::App& app, Action& run) {
   add_qh_option(*command, arguments->qh_percent2);
   add_weight_options(*command, arguments->weights);
   command->add_option("--csv", arguments->csv, "Front to write")->type_name("F.csv");
+  add_import_options(*command, arguments->import);
   add_output_options(*command, arguments->output);
   command->callback([arguments, &run] { run = [arguments](const Console& console) { select(*arguments, console); }; });
 }
