@@ -180,7 +180,9 @@ TEST(Report, EveryEngineMakesASoundPage) {
   const test::TemporaryFolder folder;
   for (const PageCase& page : page_cases()) {
     const std::string design = folder.path(page.name + ".json"), html = folder.path(page.name + ".html");
-    design::write_design(design_tuner(page.model, {.tuning = page.tuning}), design);
+    design::DesignOptions options;
+    options.tuning = page.tuning;
+    design::write_design(design_tuner(page.model, options), design);
     const Result result = run({"report", design, "-o", html, "--csv-dir", folder.path(page.name), "--quick"});
     ASSERT_EQ(result.code, 0) << page.name << ": " << result.err;
     const std::string check = std::string("python3 ") + EHM_SOURCE_DIR + "/tests/unit/tuner_design/check_page.py " +
