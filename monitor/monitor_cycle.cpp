@@ -163,7 +163,11 @@ void MonitorCycle::withhold() noexcept {
 
 void MonitorCycle::predict(int steps) noexcept {
   // After a loss the actuators are taken as held, which is what they do between samples.
-  for (int k = 0; k < steps; ++k) filter_.predict(du_previous_);
+  for (int k = 1; k < steps; ++k) {
+    filter_.predict(du_previous_);
+    filter_.update({});  // a lost sample fuses nothing
+  }
+  filter_.predict(du_previous_);
   du_previous_ = du_;
   filter_.innovation(dy_, du_);
 }

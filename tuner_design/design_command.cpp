@@ -78,12 +78,12 @@ std::vector<design::Design> designs_of(const Arguments& arguments, const std::ve
 void design_to_files(const Arguments& arguments, const Console& console) {
   require_pairs(arguments);
   std::vector<estimation::LinearModel> models;
-  std::vector<std::string> assumed;
+  std::vector<std::vector<std::string>> assumed;  // of each model
   std::string files;
   for (const std::string& path : arguments.models) {
-    const ImportedModel imported = import_model(path, arguments.import);
-    models.push_back(imported.model);
-    assumed.insert(assumed.end(), imported.assumed.begin(), imported.assumed.end());
+    ImportedModel imported = import_model(path, arguments.import);
+    models.push_back(std::move(imported.model));
+    assumed.push_back(std::move(imported.assumed));
     files += (files.empty() ? "" : ", ") + path;
   }
   std::vector<design::Design> designs;
@@ -100,9 +100,9 @@ void design_to_files(const Arguments& arguments, const Console& console) {
       console, arguments.output,
       [&]() -> nlohmann::ordered_json {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
-        for (const design::Design& design : designs) {
-          all.push_back(design_as_json(design));
-          all.back()["assumed"] = assumed;
+        for (std::size_t i = 0; i < designs.size(); ++i) {
+          all.push_back(design_as_json(designs[i]));
+          all.back()["assumed"] = assumed[i];
         }
         if (all.size() == 1) return all.front();
         return {{"designs", std::move(all)}};
@@ -110,7 +110,7 @@ void design_to_files(const Arguments& arguments, const Console& console) {
       [&](std::ostream& out) {
         for (std::size_t i = 0; i < designs.size(); ++i) {
           print_design(designs[i], out);
-          print_assumed(assumed, out);
+          print_assumed(assumed[i], out);
           out << "  written to " << arguments.outs[i] << ", hash " << designs[i].hash << '\n';
         }
       });

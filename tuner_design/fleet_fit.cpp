@@ -10,12 +10,30 @@
 namespace ehm::bench {
 namespace {
 
-constexpr double disturbance = 0.003;  ///< of size, one sigma: far above round-off, small against the fleet's spread
+constexpr double disturbance = 0.003;  ///< of size: far above round-off, small against the fleet's spread
 
 Eigen::VectorXd trims(const std::vector<estimation::Channel>& channels) {
   Eigen::VectorXd trim(static_cast<Eigen::Index>(channels.size()));
   for (std::size_t i = 0; i < channels.size(); ++i) trim(static_cast<Eigen::Index>(i)) = channels[i].trim;
   return trim;
+}
+
+/// Derivatives by states and controls, averaged over the fleet: central differences, one-sided for the bleed valves,
+/// which only open.
+Eigen::MatrixXd mean_slopes(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, const Fleet& fleet,
+                            const Eigen::VectorXd& size) {
+  const EngineLayout& layout = fleet.layout;
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(layout.outputs(), layout.health());
+  for (Eigen::Index k = 0; k < fleet.inputs.cols(); ++k) {
+    for (Eigen::Index j = 0; j < slopes.cols(); ++j) {
+      Eigen::VectorXd up = fleet.inputs.col(k), down = up;
+      up(j) += disturbance * size(j);
+      if (j != layout.fuel() + 2) down(j) -= disturbance * size(j);
+      slopes.col(j) +=
+          (evaluate(layout, turbofan, trim, up) - evaluate(layout, turbofan, trim, down)) / (up(j) - down(j));
+    }
+  }
+  return slopes / static_cast<double>(fleet.inputs.cols());
 }
 
 }  // namespace
@@ -46,30 +64,26 @@ Fleet steady_fleet(const EngineLayout& layout, const engine::Turbofan& turbofan,
   return fleet;
 }
 
-FleetFit fit_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, const Fleet& fleet,
-                   std::uint64_t seed) {
+FleetFit fit_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, const Fleet& fleet) {
   const EngineLayout& layout = fleet.layout;
-  const Eigen::Index off_balance = layout.health();  // states and controls are moved off their balance
   const Eigen::VectorXd v0 = inputs_of(layout, trim), f0 = outputs_of(layout, trim.gas);
-  const Eigen::VectorXd size = input_size(layout, v0), scale = 0.01 * size;
-  engine::NoiseSource random(seed);
-  const Eigen::Index engines = fleet.inputs.cols();
-  Eigen::MatrixXd regressors(engines, 1 + layout.inputs()), deviations(engines, layout.outputs());
+  const Eigen::MatrixXd slopes = mean_slopes(turbofan, trim, fleet, input_size(layout, v0));
+  const Eigen::Index engines = fleet.inputs.cols(), moved = slopes.cols();
+  Eigen::MatrixXd regressors(engines, 1 + engine_health), left(engines, layout.outputs());
   for (Eigen::Index k = 0; k < engines; ++k) {
-    Eigen::VectorXd v = fleet.inputs.col(k);
-    for (Eigen::Index j = 0; j < off_balance; ++j) v(j) += disturbance * size(j) * random.normal();
-    v(layout.fuel() + 2) = std::abs(v(layout.fuel() + 2));  // bleed valves only open
-    regressors.row(k) << 1.0, (v - v0).cwiseQuotient(scale).transpose();
-    deviations.row(k) = (evaluate(layout, turbofan, trim, v) - f0).transpose();
+    const Eigen::VectorXd dv = fleet.inputs.col(k) - v0;
+    regressors.row(k) << 1.0, dv.tail(engine_health).transpose();
+    left.row(k) = (fleet.outputs.col(k) - f0 - slopes * dv.head(moved)).transpose();
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(regressors);
   if (qr.rank() < regressors.cols())
     throw std::runtime_error("linearise: " + std::to_string(engines) + " engines do not tell the " +
-                             std::to_string(layout.inputs()) + " inputs apart; take a larger fleet (--fleet)");
-  const Eigen::MatrixXd solution = qr.solve(deviations).transpose();  // [intercept | J scale]
+                             std::to_string(engine_health) + " health parameters apart; take a larger fleet (--fleet)");
+  const Eigen::MatrixXd solution = qr.solve(left).transpose();  // [intercept | health columns]
 
   FleetFit fit;
-  fit.jacobian = solution.rightCols(layout.inputs()) * scale.cwiseInverse().asDiagonal();
+  fit.jacobian.resize(layout.outputs(), layout.inputs());
+  fit.jacobian << slopes, solution.rightCols(engine_health);
   const Eigen::VectorXd intercept = solution.col(0);
   // Balance of the fitted engine at the trim's fan speed: the other states and the fuel flow, which lie side by side in
   // v, take up the rates of the intercept.

@@ -1,9 +1,11 @@
 #pragma once
 // The linear model that serves a whole fleet best, and what it still misses.
 //
-// Engines with h ~ N(0, health_sigma^2) run in steady state at the trim's fan speed. Over them, each moved a little off
-// its balance so that speeds and fuel are told apart from health,
-//   f(v) ~ f0 + J (v - v0)                             least squares, v and f of engine_channels.h
+// Engines with h ~ N(0, health_sigma^2) run in steady state at the trim's fan speed, v and f of engine_channels.h:
+//   states and controls   J_xu: derivative at each engine, averaged over the fleet
+//   health                f(v) - J_xu (v - v0)_xu ~ f0 + J_h (h - h0)      least squares over the fleet
+// In two steps, because in steady state core speed and fuel flow follow health: one fit of all columns would hand them
+// the curvature over health, and the dynamics would be nobody's.
 // Where the engine is curved or kinked over the fleet's spread (map lines change their spacing) this beats the tangent
 // at the new engine; it is statistical linearisation. The trim moves to where the fitted engine is in balance. What is
 // left is measured on the same fleet in steady state, as the filter meets it:
@@ -31,9 +33,8 @@ struct FleetFit {
   Eigen::MatrixXd jacobian;
 };
 
-/// @throws std::runtime_error if the fleet is too small to tell all inputs apart.
-FleetFit fit_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, const Fleet& fleet,
-                   std::uint64_t seed);
+/// @throws std::runtime_error if the fleet is too small to tell the health parameters apart.
+FleetFit fit_fleet(const engine::Turbofan& turbofan, const engine::SteadyPoint& trim, const Fleet& fleet);
 
 /// Lambda of a continuous model with its trims, (m+r) x (m+r), channel units.
 Eigen::MatrixXd linearisation_error(const estimation::LinearModel& model, const Fleet& fleet);

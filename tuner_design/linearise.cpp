@@ -84,7 +84,7 @@ Linearisation linearise(const engine::Turbofan& turbofan, const LineariseOptions
     fleet = steady_fleet(layout, turbofan, trim, options.noise.health_sigma, options.fleet, options.seed);
   if (options.method == LineariseMethod::fleet) {
     if (options.fleet == 0) throw std::invalid_argument("linearise: the method fleet needs a fleet (--fleet above 0)");
-    const FleetFit fit = fit_fleet(turbofan, trim, fleet, options.seed + 1);
+    const FleetFit fit = fit_fleet(turbofan, trim, fleet);
     name_channels(layout, model, fit.inputs, fit.outputs);
     split_jacobian(layout, model, fit.jacobian);
   } else {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws the README's pictures anew: the data path, the HPC map with the reference points where they are at hand, and the
-# estimates of one demo flight against the truth.
+# Draws the README's pictures anew: the data path, the HPC map with the reference points where they are at hand, the
+# estimates of one demo flight against the truth, and what the closed form is worth.
 # Usage: deploy/pictures/make.sh [NPSS_CASES.csv]     (graphviz and gnuplot-nox; the flight takes 30 s)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -13,3 +13,10 @@ EHM_DEMO_CSV=$csv deploy/demo.sh --seconds 30
 gnuplot -e "csv='$csv'; out='deploy/pictures/estimate.svg'" deploy/pictures/estimate.gp
 "${EHM_BUILD_DIR:-build}/engine_sim/engine_sim" maps --out "$folder" ${1:+--reference "$1"}
 cp "$folder/hpc.svg" deploy/pictures/hpc_map.svg
+bench=${EHM_BUILD_DIR:-build}/tuner_design/tuner_design
+"$bench" linearise --fleet 0 --out "$folder/model.json" --quiet
+"$bench" design --model "$folder/model.json" --qh 1e-5 --out "$folder/design.json" --json >"$folder/design.txt"
+"$bench" baselines "$folder/design.json" --csv "$folder/baselines.csv" --quiet
+limit() { python3 -c 'import json,sys; print(json.load(open(sys.argv[1]))["bayes_limit_"+sys.argv[2]]["total"])' "$folder/design.txt" "$1"; }
+gnuplot -e "csv='$folder/baselines.csv'; limit_h=$(limit health); limit_z=$(limit auxiliary); out='deploy/pictures/closed_form.svg'" \
+  deploy/pictures/closed_form.gp

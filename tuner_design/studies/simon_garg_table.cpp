@@ -38,6 +38,18 @@ std::string title(const SimonGargStudy& study) {
   }
 }
 
+/// Column names over two lines, parted at the first underscore.
+void print_heads(const std::vector<std::string>& columns, int width, std::ostream& out) {
+  std::string upper = fmt::format("\n{:44}", ""), lower = fmt::format("{:<44}", "tuners");
+  for (const std::string& column : columns) {
+    const auto part = column.find('_');
+    const bool two = part != std::string::npos && static_cast<int>(column.size()) >= width;
+    upper += fmt::format("{:>{}}", two ? column.substr(0, part) : "", width);
+    lower += fmt::format("{:>{}}", two ? column.substr(part + 1) : column, width);
+  }
+  out << upper << '\n' << lower << '\n';
+}
+
 }  // namespace
 
 std::vector<std::string> table_columns(const SimonGargStudy& study) {
@@ -100,27 +112,22 @@ nlohmann::ordered_json study_as_json(const SimonGargStudy& study) {
 }
 
 void print_study(const SimonGargStudy& study, std::ostream& out) {
-  constexpr std::size_t widest_name = 10;
-  const bool kalman = study.options.table >= 6;
+  const int width = study.of_health() ? 12 : 16;
   out << title(study) << "\nEngine: " << study.model.name << "\nTruth: " << study.truth << '\n';
-  if (kalman) out << fmt::format("Qh {} percent^2 per sample\n", study.options.qh_percent2);
-  out << fmt::format("\n{:<31}{:<2}{:<11}", "tuners", "", "");
-  for (const std::string& column : table_columns(study))
-    out << fmt::format("{:>{}}", study.of_health() ? column.substr(0, widest_name) : column,
-                       study.of_health() ? 11 : 16);
-  out << '\n';
+  if (study.options.table >= 6) out << fmt::format("Qh {} percent^2 per sample\n", study.options.qh_percent2);
+  print_heads(table_columns(study), width, out);
   std::string group, source = "ours";
   for (const TableLine& line : table_lines(study)) {
     if (line.source != source) {
       source = line.source;
+      group.clear();
       out << "\nPublished, Simon & Garg, NASA/TM-2010-216077: another engine (C-MAPSS), for context only\n";
     }
-    const std::string name = line.source == "ours" ? line.group : "";
-    out << fmt::format("{:<31}{:<2}{:<11}", name == group ? "" : name, line.tuners.size() < 2 ? line.tuners : "",
-                       line.kind);
-    if (line.source == "ours") group = name;
-    for (const double value : line.values) out << fmt::format("{:>{}.4g}", value, study.of_health() ? 11 : 16);
-    if (line.tuners.size() > 1) out << "  " << line.tuners;
+    const bool lettered = line.tuners.size() == 1;
+    const std::string name = line.group.empty() && !lettered ? line.tuners : line.group;
+    out << fmt::format("{:<31}{:<2}{:<11}", name == group ? "" : name, lettered ? line.tuners : "", line.kind);
+    group = name;
+    for (const double value : line.values) out << fmt::format("{:>{}.4g}", value, width);
     out << '\n';
   }
 }

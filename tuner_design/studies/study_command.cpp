@@ -7,6 +7,7 @@
 #include "deploy/work/parallel_for.h"
 #include "engine_sim/model/engines/jt9d.h"
 #include "monitor/design/file_error.h"
+#include "tuner_design/check_report.h"
 #include "tuner_design/design_command.h"
 #include "tuner_design/import_options.h"
 #include "tuner_design/linearise.h"
@@ -35,12 +36,12 @@ estimation::LinearModel cruise() {
 
 void run_study(Arguments arguments, const Console& console) {
   arguments.options.table = arguments.study.back() - '0';
-  const estimation::LinearModel model =
-      arguments.model.empty() ? cruise() : import_model(arguments.model, arguments.import).model;
+  const ImportedModel imported =
+      arguments.model.empty() ? ImportedModel{cruise(), "", {}} : import_model(arguments.model, arguments.import);
   SimonGargStudy study;
   try {
     work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
-    study = run_simon_garg(model, arguments.options, [&](double share) {
+    study = run_simon_garg(imported.model, arguments.options, [&](double share) {
       bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps)));
     });
   } catch (const std::invalid_argument& error) {
@@ -48,8 +49,16 @@ void run_study(Arguments arguments, const Console& console) {
   }
   if (!arguments.csv.empty()) files::write_file_atomically(arguments.csv, study_csv(study));
   print_result(
-      console, arguments.output, [&] { return study_as_json(study); },
-      [&](std::ostream& out) { print_study(study, out); });
+      console, arguments.output,
+      [&] {
+        nlohmann::ordered_json json = study_as_json(study);
+        json["assumed"] = imported.assumed;
+        return json;
+      },
+      [&](std::ostream& out) {
+        print_study(study, out);
+        print_assumed(imported.assumed, out);
+      });
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST_F(LineariseAtCruise, DesignOnTheFleetsFitIsBetterInAllAndWithinThePrior) {
   const design::Design tangent = design_tuner(result.model, {});
   const design::Design design = design_tuner(linearise(turbofan, fleet).model, {});
   EXPECT_LT(design.full.health_total_covariance.trace(), tangent.full.health_total_covariance.trace());
-  EXPECT_LT(design.linearisation.health.sum(), 0.1 * tangent.linearisation.health.sum());
+  EXPECT_LT(design.linearisation.health.sum(), 0.4 * tangent.linearisation.health.sum());
   EXPECT_TRUE(worse_than_prior(design.full, design.model, design.scaling).empty());
   for (const auto& subset : design.missing) {
     ASSERT_TRUE(subset.has_value());
@@ -98,6 +98,17 @@ TEST_F(LineariseAtCruise, TheFleetsFitBalancesAtItsTrim) {
   for (std::size_t i = 0; i < fit.sensors.size(); ++i)
     EXPECT_NEAR(fit.sensors[i].trim, result.model.sensors[i].trim, 0.02 * result.model.sensors[i].trim);
   EXPECT_TRUE(fit.C.topRows(2).isIdentity(1e-6));
+}
+
+TEST_F(LineariseAtCruise, TheFleetsFitHasTheEnginesDynamics) {
+  // Averaged slopes, not slopes that carry what health does: the kink of the HPC's map changes them by a third at most.
+  LineariseOptions fleet = options;
+  fleet.method = LineariseMethod::fleet;
+  const estimation::LinearModel fit = linearise(turbofan, fleet).model;
+  const Eigen::VectorXd own = fit.A.eigenvalues().real(), tangent = result.model.A.eigenvalues().real();
+  EXPECT_NEAR(own.maxCoeff() / tangent.maxCoeff(), 1.0, 0.35);
+  EXPECT_NEAR(own.minCoeff() / tangent.minCoeff(), 1.0, 0.35);
+  for (Eigen::Index i = 0; i < 2; ++i) EXPECT_NEAR(fit.B(i, 0) / result.model.B(i, 0), 1.0, 0.35) << i;
 }
 
 TEST_F(LineariseAtCruise, VanesAndBleedValvesAreControls) {

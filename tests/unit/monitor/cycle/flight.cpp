@@ -19,7 +19,7 @@ Flight::Flight(const estimation::LinearModel& model, const Eigen::VectorXd& h, s
 monitor::Sample Flight::next() {
   const Eigen::VectorXd noise =
       model_.sensor_noise_sigma.cwiseProduct(random_.normal_vector(model_.sensor_noise_sigma.size()));
-  const Eigen::VectorXd y = model_.C * x_ + model_.M * h_ + noise;
+  const Eigen::VectorXd y = model_.C * x_ + model_.D.col(0) * du_ + model_.M * h_ + noise;
   monitor::Sample s;
   s.schema = 1;
   s.sequence = sequence_;
@@ -31,14 +31,15 @@ monitor::Sample Flight::next() {
   s.actuator_count = static_cast<std::uint32_t>(model_.controls.size());
   for (std::size_t i = 0; i < model_.sensors.size(); ++i)
     s.sensor[i] = model_.sensors[i].trim + y(static_cast<Eigen::Index>(i));
-  for (std::size_t i = 0; i < model_.controls.size(); ++i) s.actuator[i] = model_.controls[i].trim;
-  x_ = model_.A * x_ + model_.L * h_;
+  for (std::size_t i = 0; i < model_.controls.size(); ++i)
+    s.actuator[i] = model_.controls[i].trim + (i == 0 ? du_ : 0.0);
+  x_ = model_.A * x_ + model_.B.col(0) * du_ + model_.L * h_;
   ++sequence_;
   return s;
 }
 
 Eigen::VectorXd Flight::auxiliary() const {
-  Eigen::VectorXd z = model_.F * x_ + model_.N * h_;
+  Eigen::VectorXd z = model_.F * x_ + model_.G.col(0) * du_ + model_.N * h_;
   for (std::size_t i = 0; i < model_.auxiliary.size(); ++i) z(static_cast<Eigen::Index>(i)) += model_.auxiliary[i].trim;
   return z;
 }

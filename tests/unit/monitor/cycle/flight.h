@@ -21,6 +21,8 @@ class Flight {
 
   /// The next sample in order; advances the engine.
   monitor::Sample next();
+  /// Of the first actuator, deviation from trim; acts from the next sample on.
+  void set_actuator(double du) { du_ = du; }
   void set_health(const Eigen::VectorXd& h) { h_ = h; }
   const Eigen::VectorXd& health() const { return h_; }
   Eigen::VectorXd auxiliary() const;
@@ -28,6 +30,7 @@ class Flight {
  private:
   estimation::LinearModel model_;
   Eigen::VectorXd h_, x_;
+  double du_ = 0.0;
   Random random_;
   std::uint64_t sequence_ = 0;
 };

@@ -169,6 +169,22 @@ TEST_F(MonitorCycleTest, LostSamplesAreCountedAndPredictedOver) {
   expect_within_sigmas(3.0);
 }
 
+TEST_F(MonitorCycleTest, LostSamplesArePredictedStepByStep) {
+  // The engine moves after a step of fuel flow. Four samples without a value and four that never came are the same.
+  fly(settle);
+  MonitorCycle lossy = cycle_;
+  flight_->set_actuator(0.03);
+  const Sample step = flight_->next();
+  cycle_.process(step);
+  lossy.process(step);
+  fly(4, [](Sample& s) { s.sensor_valid = 0; });
+  const Sample next = flight_->next();
+  cycle_.process(next);
+  lossy.process(next);
+  EXPECT_EQ(lossy.counters().lost, 4u);
+  EXPECT_TRUE(lossy.result().innovation.isApprox(cycle_.result().innovation, 1e-12));
+}
+
 TEST_F(MonitorCycleTest, MalformedDuplicateAndReorderedSamplesChangeNothing) {
   fly(settle);
   const Sample first = flight_->next(), second = flight_->next();
