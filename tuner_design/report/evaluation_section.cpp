@@ -29,8 +29,8 @@ Eigen::VectorXd joined(const design::ErrorByChannel& errors) {
 }
 
 DataTable totals_table(const std::vector<Experiment>& experiments, bool auxiliary) {
-  DataTable table{{"estimator and truth", "engines", "errors of", "theory", "of it linearisation", "experiment",
-                   "standard error", "difference / standard error"},
+  DataTable table{{"estimator and truth", "engines", "errors of", "theory", "of it linearisation", "experiment", "s.e.",
+                   "difference [s.e.]"},
                   {}};
   const auto add = [&](const Experiment& e, const std::string& of, double theory, double linearisation,
                        double experiment, double standard_error) {
@@ -125,7 +125,7 @@ Section evaluation_section(const ReportData& data) {
   section.add_text("What was flown: " + truths + ".");
   section.add_table("experiment-totals",
                     "Squared errors summed over channels (health in percent², auxiliary outputs in mixed units), "
-                    "theory and experiment",
+                    "theory and experiment; s.e. is the standard error of the experiment",
                     totals_table(experiments, !data.design.model.auxiliary.empty()));
   section.add_figure(
       "experiments", "The filter's experiment over theory by channel.",

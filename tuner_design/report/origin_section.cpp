@@ -69,8 +69,10 @@ DataTable channels(const ReportData& data) {
     }
   };
   const auto percent_of_trim = [](const std::vector<estimation::Channel>& list, const std::string& otherwise) {
-    return
-        [&list, otherwise](std::size_t i) { return list[i].trim != 0.0 ? std::string("percent of trim") : otherwise; };
+    return [&list, otherwise](std::size_t i) -> std::string {
+      if (list[i].trim != 0.0) return "percent of trim";
+      return list[i].unit == "percent" || list[i].unit == "%" ? "percent, as it is" : otherwise;
+    };
   };
   add(model.health, "health", &model.health_sigma, &scaling.health, [](std::size_t) { return std::string("percent"); });
   add(model.sensors, "sensor", &model.sensor_noise_sigma, &scaling.sensor,

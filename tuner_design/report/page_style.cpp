@@ -56,7 +56,7 @@ caption { caption-side: top; position: sticky; left: 0; max-width: calc(100vw - 
 th, td { padding: 0.28rem 0.6rem; text-align: left; vertical-align: top; border-bottom: 1px solid var(--grid);
   unicode-bidi: isolate; }
 thead th { vertical-align: bottom; border-bottom: 1px solid var(--ink); font-weight: 600; }
-tbody th { font-weight: 400; min-width: 9.5rem; max-width: 20rem; overflow-wrap: anywhere; }
+tbody th { font-weight: 400; min-width: 8.5rem; max-width: 20rem; overflow-wrap: anywhere; }
 th:first-child, td:first-child { padding-left: 0; }
 .number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 thead .number { white-space: normal; }
