@@ -91,20 +91,35 @@ TEST(NonlinearTruth, RefusesAnUnknownChannel) {
 }
 
 TEST(NonlinearTruth, FleetDesignIsAsGoodAndAsHonestAsItSays) {
-  // Issue 4: SSEE(h) within 5 %, SSEE(z) within 15 % of the linear theory of the same window, coverage 93 to 97 %. With
-  // 4000 engines the standard errors are a third of a percent of coverage and 1 % of SSEE(h).
+  // Issue 4: SSEE(z) within 15 % of the linear theory of the same window, SSEE(h) by what the design says that
+  // nonlinearity adds (nearly all of it to the HPC's flow); coverage 93 to 97 %. With 4000 engines the standard errors
+  // are a third of a percent of coverage and 2 % of SSEE(h).
   EvaluateOptions options;
   options.linear = false, options.nonlinear = true, options.map = false;
   options.runs = 4000;
   options.seconds = 12.0, options.window = 0.3;
   const Experiment flown = evaluate(cruise_design(LineariseMethod::fleet), options).experiments.front();
-  EXPECT_NEAR(flown.experiment.health.sum() / flown.theory.health.sum(), 1.0, 0.05);
+  EXPECT_NEAR(flown.experiment.health.sum(), flown.theory_health(), 4.0 * flown.standard_error_of_total.health);
   EXPECT_NEAR(flown.experiment.auxiliary.sum() / flown.theory.auxiliary.sum(), 1.0, 0.15);
   EXPECT_GT(flown.linearisation.health.sum(), 0.0);
   for (const Eigen::VectorXd* coverage : {&flown.coverage.health, &flown.coverage.auxiliary}) {
     EXPECT_GE(coverage->minCoeff(), 0.93);
     EXPECT_LE(coverage->maxCoeff(), 0.97);
   }
+}
+
+TEST(NonlinearTruth, FleetDesignStaysHonestWhereTheFuelFlowIsHeld) {
+  // Its linearisation error was measured at held fan speed; averaged slopes carry over.
+  EvaluateOptions options;
+  options.linear = false, options.nonlinear = true, options.map = false;
+  options.runs = 4000;
+  options.seconds = 12.0, options.window = 0.3;
+  options.hold = Hold::fuel_flow;
+  const Experiment flown = evaluate(cruise_design(LineariseMethod::fleet), options).experiments.front();
+  EXPECT_NEAR(flown.experiment.health.sum() / flown.theory_health(), 1.0, 0.15);
+  EXPECT_NEAR(flown.experiment.auxiliary.sum() / flown.theory_auxiliary(), 1.0, 0.15);
+  EXPECT_GE(flown.coverage.health.minCoeff(), 0.90);
+  EXPECT_GE(flown.coverage.auxiliary.minCoeff(), 0.90);
 }
 
 TEST(NonlinearTruth, TangentMissesByWhatItsDesignSays) {
