@@ -13,6 +13,7 @@ Page design_page(const design::Design& design, const Studies& studies) {
   page.sections = {summary_section(data),    accuracy_section(data),       optimum_section(data),
                    tuner_section(data),      observability_section(data),  response_section(data),
                    evaluation_section(data), missing_sensor_section(data), origin_section(data)};
+  if (!data.studies.papers.empty()) page.sections.insert(page.sections.end() - 2, papers_section(data));
   page.footer = "Made by " + design.options.created_by + " " + design.options.version + " from the design with hash " +
                 design.hash +
                 ". Equations: Simon & Garg, NASA/TM-2010-216077; error theory and limits as in the project's README.";

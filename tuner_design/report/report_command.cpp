@@ -70,11 +70,12 @@ void write_report(const ReportArguments& arguments, const Console& console) {
 void add_report_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<ReportArguments>();
   CLI::App* command = app.add_subcommand("report", "Explain a design on one self-contained web page");
-  command->add_option("design", arguments->design, "Design file (ehm-design/1)")->required()->type_name("DESIGN.json");
+  command->add_option("design", arguments->design, "Design file")->required()->type_name("DESIGN.json");
   command->add_option("-o,--out", arguments->out, "Page to write")->required()->type_name("REPORT.html");
   command->add_option("--csv-dir", arguments->csv_folder, "Also write the numbers of each figure and table here")
       ->type_name("DIR");
-  command->add_flag("--quick", arguments->quick, "Leave out the Monte Carlo, which takes some seconds");
+  command->add_flag("--quick", arguments->quick,
+                    "Leave out the Monte Carlo and the papers' tables, which take some seconds");
   command->add_option("--threads", arguments->threads, "The result does not depend on it; default: one a core")
       ->check(CLI::Range(1, 1024));
   add_output_options(*command, arguments->output);

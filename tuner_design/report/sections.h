@@ -22,6 +22,8 @@ Section tuner_section(const ReportData& data);
 Section response_section(const ReportData& data);
 /// What the Monte Carlo found, or why there is none.
 Section evaluation_section(const ReportData& data);
+/// Tables 4 to 7 of Simon & Garg on this engine, for a model with their health parameters.
+Section papers_section(const ReportData& data);
 /// The designs for the case that a sensor fails.
 Section missing_sensor_section(const ReportData& data);
 

@@ -10,6 +10,7 @@
 #include "tuner_design/baselines/baselines.h"
 #include "tuner_design/monte_carlo/evaluation.h"
 #include "tuner_design/search/response_time.h"
+#include "tuner_design/studies/simon_garg.h"
 
 namespace ehm::bench::report {
 
@@ -24,11 +25,12 @@ struct Studies {
   std::vector<SearchCourse> courses;  ///< empty for a design without a search, and for an envelope of several points
   std::vector<ResponsePoint> trade;   ///< over Qh, ascending
   std::vector<Experiment> experiments;
+  std::vector<SimonGargStudy> papers;  ///< tables 4 to 7, for a model with the ten health parameters of [SG]
   std::vector<std::string> not_flown;  ///< in sentences: which experiments are missing, and why
 };
 
 struct StudyOptions {
-  bool quick = false;  ///< no Monte Carlo
+  bool quick = false;  ///< no Monte Carlo, and none of the papers' tables
   unsigned threads = 1;
   std::function<void(double)> progress = [](double) {};  ///< share of the work that is done, 0 to 1
 };

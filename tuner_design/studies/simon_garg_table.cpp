@@ -25,19 +25,6 @@ std::vector<double> in_paper_units(const SimonGargStudy& study, const design::Er
   return values;
 }
 
-std::string title(const SimonGargStudy& study) {
-  switch (study.options.table) {
-    case 4:
-      return "Table 4: MAP estimator, health parameters, squared error in percent^2";
-    case 5:
-      return "Table 5: MAP estimator, auxiliary outputs, squared error";
-    case 6:
-      return "Table 6: Kalman filter, health parameters, squared error in percent^2";
-    default:
-      return "Table 7: Kalman filter, auxiliary outputs, squared error";
-  }
-}
-
 /// Column names over two lines, parted at the first underscore.
 void print_heads(const std::vector<std::string>& columns, int width, std::ostream& out) {
   std::string upper = fmt::format("\n{:44}", ""), lower = fmt::format("{:<44}", "tuners");
@@ -51,6 +38,19 @@ void print_heads(const std::vector<std::string>& columns, int width, std::ostrea
 }
 
 }  // namespace
+
+std::string study_title(const SimonGargStudy& study) {
+  switch (study.options.table) {
+    case 4:
+      return "Table 4: MAP estimator, health parameters, squared error in percent^2";
+    case 5:
+      return "Table 5: MAP estimator, auxiliary outputs, squared error";
+    case 6:
+      return "Table 6: Kalman filter, health parameters, squared error in percent^2";
+    default:
+      return "Table 7: Kalman filter, auxiliary outputs, squared error";
+  }
+}
 
 std::vector<std::string> table_columns(const SimonGargStudy& study) {
   std::vector<std::string> columns;
@@ -113,7 +113,7 @@ nlohmann::ordered_json study_as_json(const SimonGargStudy& study) {
 
 void print_study(const SimonGargStudy& study, std::ostream& out) {
   const int width = study.of_health() ? 12 : 16;
-  out << title(study) << "\nEngine: " << study.model.name << "\nTruth: " << study.truth << '\n';
+  out << study_title(study) << "\nEngine: " << study.model.name << "\nTruth: " << study.truth << '\n';
   if (study.options.table >= 6) out << fmt::format("Qh {} percent^2 per sample\n", study.options.qh_percent2);
   print_heads(table_columns(study), width, out);
   std::string group, source = "ours";

@@ -22,6 +22,9 @@ struct TableLine {
 /// Ours first. The published lines are there only if the numbers of channels are equal.
 std::vector<TableLine> table_lines(const SimonGargStudy& study);
 
+/// "Table 4: ..."
+std::string study_title(const SimonGargStudy& study);
+
 std::vector<std::string> table_columns(const SimonGargStudy& study);
 
 std::string study_csv(const SimonGargStudy& study);
