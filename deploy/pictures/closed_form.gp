@@ -7,10 +7,10 @@ set grid x lc rgb '#e3e7ea'
 set border 3 lc rgb '#5b6770'
 set tics nomirror
 set logscale x
-set xrange [0.9:200]
+set xrange [0.9:60]
 set yrange [-0.6:6.6]
 set xlabel 'squared error over the fleet / Bayes limit'
-set key bottom right
+set key right center
 set lmargin 38
 set arrow 1 from 1, graph 0 to 1, graph 1 nohead dt 2 lc rgb '#222222'
 row(name) = name eq 'svd' ? 0 : name eq 'published_subset' ? 1 : name eq 'best_subset' ? 2 : name eq 'full_map' ? 3 : name eq 'closed_form' ? 4 : name eq 'design' ? 5 : name eq 'time_varying' ? 6 : NaN
