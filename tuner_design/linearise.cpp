@@ -1,5 +1,6 @@
 #include "tuner_design/linearise.h"
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -59,10 +60,12 @@ void add_sensor_lags(LinearModel& model, const SensorLags& lags) {
   }
 }
 
-std::string model_name(const engine::FlightCondition& flight) {
+/// Where it runs: points of one envelope differ by it.
+std::string model_name(const engine::SteadyPoint& trim) {
+  const engine::FlightCondition& flight = trim.operation.flight;
   std::ostringstream name;
-  name << "JT9D-class turbofan, " << flight.altitude_m << " m, Mach " << flight.mach << ", ISA "
-       << (flight.delta_isa_k < 0.0 ? "" : "+") << flight.delta_isa_k << " K";
+  name << "JT9D-class turbofan, " << flight.altitude_m << " m, Mach " << flight.mach << ", ISA " << std::showpos
+       << flight.delta_isa_k << std::noshowpos << " K, T40 " << std::round(trim.gas.s40.tt_k) << " K";
   return name.str();
 }
 
@@ -72,7 +75,7 @@ Linearisation linearise(const engine::Turbofan& turbofan, const LineariseOptions
   const engine::SteadyPoint trim = engine::solve_steady(turbofan, options.flight, options.health, options.demand);
   Linearisation result;
   LinearModel& model = result.model;
-  model.name = model_name(options.flight);
+  model.name = model_name(trim);
   model.engine_type = "jt9d";
   model.discrete = false;
   model.sample_time_s = options.sample_time_s;
