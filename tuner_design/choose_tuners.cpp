@@ -65,7 +65,8 @@ Eigen::MatrixXd closed_form_tuners(const Eigen::MatrixXd& H, const Eigen::Matrix
 }
 
 ChosenTuners choose_tuners(const Envelope& envelope, const std::vector<int>& sensors, Eigen::Index t,
-                           const design::DesignOptions& options, int random_starts, unsigned threads) {
+                           const design::DesignOptions& options, int random_starts, unsigned threads,
+                           const std::function<void(double)>& progress) {
   ChosenTuners chosen;
   chosen.problem.estimator = options.tuning == design::Tuning::map ? Estimator::map : Estimator::kalman;
   chosen.problem.qh_percent2 = options.qh_percent2;
@@ -80,7 +81,7 @@ ChosenTuners choose_tuners(const Envelope& envelope, const std::vector<int>& sen
     chosen.search.V = starts.front().V;
     return chosen;
   }
-  chosen.search = search_tuners(chosen.problem, {starts, random_starts, options.seed, threads});
+  chosen.search = search_tuners(chosen.problem, {starts, random_starts, options.seed, threads, progress});
   return chosen;
 }
 

@@ -8,6 +8,7 @@
 // With as many tuners as health parameters nothing has to be chosen: V = I.
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "monitor/design/design.h"
@@ -42,7 +43,8 @@ struct ChosenTuners {
 
 /// `random_starts` stands in place of options.random_starts: the designs for a missing sensor need fewer.
 /// @throws as closed_form_tuners, make_point_problem and search_tuners.
-ChosenTuners choose_tuners(const Envelope& envelope, const std::vector<int>& sensors, Eigen::Index t,
-                           const design::DesignOptions& options, int random_starts, unsigned threads);
+ChosenTuners choose_tuners(
+    const Envelope& envelope, const std::vector<int>& sensors, Eigen::Index t, const design::DesignOptions& options,
+    int random_starts, unsigned threads, const std::function<void(double)>& progress = [](double) {});
 
 }  // namespace ehm::bench

@@ -65,14 +65,19 @@ void require_pairs(const Arguments& arguments) {
   }
 }
 
-std::vector<design::Design> designs_of(const Arguments& arguments, const std::vector<estimation::LinearModel>& models) {
+std::vector<design::Design> designs_of(const Arguments& arguments, const std::vector<estimation::LinearModel>& models,
+                                       const Console& console) {
+  constexpr std::size_t progress_steps = 1000;
+  work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
   design::DesignOptions options = arguments.options;
   options.weights = weights_of(arguments.weights, models.front());
   std::vector<double> weights = arguments.point_weights;
   weights.resize(models.size(), 1.0);
   if (arguments.time_constant_s)
     options.qh_percent2 = qh_for_time_constant(models, weights, options, *arguments.time_constant_s);
-  return design_envelope(models, weights, options, arguments.threads);
+  return design_envelope(models, weights, options, arguments.threads, [&](double share) {
+    bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps)));
+  });
 }
 
 void design_to_files(const Arguments& arguments, const Console& console) {
@@ -88,7 +93,7 @@ void design_to_files(const Arguments& arguments, const Console& console) {
   }
   std::vector<design::Design> designs;
   try {
-    designs = designs_of(arguments, models);
+    designs = designs_of(arguments, models, console);
   } catch (const CLI::ValidationError&) {
     throw;
   } catch (const std::exception& error) {

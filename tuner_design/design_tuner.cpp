@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "deploy/work/parallel_for.h"
 #include "tuner_design/bayes_limit.h"
 #include "tuner_design/choose_tuners.h"
 #include "tuner_design/kalman_error.h"
@@ -21,6 +22,8 @@ using design::DesignOptions;
 using design::ErrorByChannel;
 using design::SubsetDesign;
 using estimation::LinearModel;
+
+constexpr double search_share = 0.6;  ///< of the time, roughly: the search for all sensors; the rest is without each
 
 Observability observability_of(const PreparedPoint& point, const std::vector<int>& sensors) {
   LinearModel part;
@@ -51,10 +54,11 @@ struct Candidate {
   bool within_prior = true;
 };
 
-Candidate candidate_with(const Envelope& envelope, const std::vector<int>& sensors, Eigen::Index t,
-                         const DesignOptions& options, int random_starts, unsigned threads) {
+Candidate candidate_with(
+    const Envelope& envelope, const std::vector<int>& sensors, Eigen::Index t, const DesignOptions& options,
+    int random_starts, unsigned threads, const DesignProgress& progress = [](double) {}) {
   Candidate candidate;
-  candidate.tuners = choose_tuners(envelope, sensors, t, options, random_starts, threads);
+  candidate.tuners = choose_tuners(envelope, sensors, t, options, random_starts, threads, progress);
   candidate.objective = objective(candidate.tuners.problem, candidate.tuners.search.V);
   for (const PreparedPoint& point : envelope.points) {
     candidate.filters.push_back(filter_on(point, sensors, candidate.tuners.search.V, options.qh_percent2));
@@ -93,15 +97,16 @@ std::optional<SubsetDesign> design_without(int absent, const PreparedPoint& poin
 }
 
 /// All sensors, on as many tuners as sensors; fewer where a model's linearisation error asks for it.
-Candidate design_full(const Envelope& envelope, const std::vector<int>& all, const DesignOptions& options,
-                      int random_starts, unsigned threads) {
+Candidate design_full(
+    const Envelope& envelope, const std::vector<int>& all, const DesignOptions& options, int random_starts,
+    unsigned threads, const DesignProgress& progress = [](double) {}) {
   const auto knows_its_error = [](const PreparedPoint& point) { return point.model.linearisation_error.size() > 0; };
   auto tuners = std::min<Eigen::Index>(static_cast<Eigen::Index>(all.size()), envelope.points.front().model.L.cols());
   if (std::any_of(envelope.points.begin(), envelope.points.end(), knows_its_error)) {
     const Candidate best = best_number_of_tuners(envelope, all, options);
     if (best.within_prior) tuners = best.tuners.search.V.rows();
   }
-  return candidate_with(envelope, all, tuners, options, random_starts, threads);
+  return candidate_with(envelope, all, tuners, options, random_starts, threads, progress);
 }
 
 /// Variances of health and of the auxiliary outputs for an error covariance of health.
@@ -200,7 +205,7 @@ Design design_on_tuners(const LinearModel& model, const Eigen::MatrixXd& V, doub
 }
 
 std::vector<Design> design_envelope(const std::vector<LinearModel>& models, const std::vector<double>& weights,
-                                    const DesignOptions& options, unsigned threads) {
+                                    const DesignOptions& options, unsigned threads, const DesignProgress& progress) {
   if (!(options.qh_percent2 > 0.0) || !std::isfinite(options.qh_percent2)) {
     throw std::invalid_argument("qh is " + std::to_string(options.qh_percent2) +
                                 "; allowed: above 0 percent^2 per sample (without it the filter stops listening)");
@@ -215,19 +220,29 @@ std::vector<Design> design_envelope(const std::vector<LinearModel>& models, cons
     require_observable(observability_of(envelope.points.back(), all), all.size() < model.health.size());
   }
 
-  const Candidate full = design_full(envelope, all, options, options.random_starts, threads);
+  const Candidate full = design_full(envelope, all, options, options.random_starts, threads,
+                                     [&](double share) { progress(search_share * share); });
+  const double tasks = static_cast<double>(models.size() * all.size());
   std::vector<Design> designs;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const PreparedPoint& point = envelope.points[i];
     Design design = full_design(models[i], point, options, full.tuners, full.filters[i]);
-    for (const int absent : all) design.missing.push_back(design_without(absent, point, options));
+    design.missing.resize(all.size());
+    work::parallel_for(
+        all.size(), threads,
+        [&](std::size_t absent) { design.missing[absent] = design_without(all[absent], point, options); },
+        [&](std::size_t done) {
+          const double share = static_cast<double>(i * all.size() + done) / tasks;
+          progress(search_share + (1.0 - search_share) * share);
+        });
     designs.push_back(std::move(design));
   }
   return designs;
 }
 
-Design design_tuner(const LinearModel& model, const DesignOptions& options, unsigned threads) {
-  return std::move(design_envelope({model}, {1.0}, options, threads).front());
+Design design_tuner(const LinearModel& model, const DesignOptions& options, unsigned threads,
+                    const DesignProgress& progress) {
+  return std::move(design_envelope({model}, {1.0}, options, threads, progress).front());
 }
 
 }  // namespace ehm::bench

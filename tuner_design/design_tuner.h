@@ -7,6 +7,7 @@
 // follows what stands out least from what a long average still gets wrong (closed_form_tuners).
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@
 
 namespace ehm::bench {
 
+/// Called by the calling thread with the share of the work that is done, 0 to 1.
+using DesignProgress = std::function<void(double)>;
+
 /// Names of the health parameters whose total sigma exceeds the fleet's own.
 std::vector<std::string> worse_than_prior(const design::SubsetDesign& design, const estimation::LinearModel& model,
                                           const estimation::Scaling& scaling);
@@ -22,8 +26,9 @@ std::vector<std::string> worse_than_prior(const design::SubsetDesign& design, co
 /// `model` has passed design::check_model. The result does not depend on the number of threads.
 /// @throws std::invalid_argument if qh_percent2 is not above zero, or the weights are wrong (point_problem.h).
 /// @throws std::runtime_error if the full sensor set is not observable, or a solver fails; says which matrix and why.
-design::Design design_tuner(const estimation::LinearModel& model, const design::DesignOptions& options,
-                            unsigned threads = 1);
+design::Design design_tuner(
+    const estimation::LinearModel& model, const design::DesignOptions& options, unsigned threads = 1,
+    const DesignProgress& progress = [](double) {});
 
 /// V* of the full sensor set as design_envelope chooses it, but for the random starts.
 Eigen::MatrixXd full_set_tuners(const Envelope& envelope, const design::DesignOptions& options);
@@ -35,8 +40,8 @@ design::Design design_on_tuners(const estimation::LinearModel& model, const Eige
 /// One V* for all models, one design for each. `weights`: one for each model, above zero.
 /// @throws as design_tuner, and std::invalid_argument if the models' health parameters, sensors, auxiliary outputs or
 ///         units differ (says which model and what).
-std::vector<design::Design> design_envelope(const std::vector<estimation::LinearModel>& models,
-                                            const std::vector<double>& weights, const design::DesignOptions& options,
-                                            unsigned threads = 1);
+std::vector<design::Design> design_envelope(
+    const std::vector<estimation::LinearModel>& models, const std::vector<double>& weights,
+    const design::DesignOptions& options, unsigned threads = 1, const DesignProgress& progress = [](double) {});
 
 }  // namespace ehm::bench

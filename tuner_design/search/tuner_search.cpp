@@ -182,7 +182,9 @@ SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& op
     starts.insert(starts.end(), more.begin(), more.end());
   }
   std::vector<Ended> ends(starts.size());
-  work::parallel_for(starts.size(), options.threads, [&](std::size_t i) { ends[i] = search_from(problem, starts[i]); });
+  work::parallel_for(
+      starts.size(), options.threads, [&](std::size_t i) { ends[i] = search_from(problem, starts[i]); },
+      [&](std::size_t done) { options.progress(static_cast<double>(done) / static_cast<double>(starts.size())); });
 
   double least = no_filter;
   for (const Ended& end : ends) least = std::min(least, end.start.last);

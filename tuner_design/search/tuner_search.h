@@ -9,6 +9,7 @@
 // Source: THEORY sections 5, 6, 10.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct SearchOptions {
   int random_starts = 8;
   std::uint64_t seed = 1;
   unsigned threads = 1;
+  std::function<void(double)> progress = [](double) {};  ///< share of the starts that are done
 };
 
 struct SearchResult {
