@@ -120,7 +120,7 @@ void print_check(const CheckedFile& file, std::ostream& out) {
       << model.health.size() << " health, " << model.sensors.size() << " sensors, " << model.auxiliary.size()
       << " auxiliary\n"
       << "  reduction      "
-      << (model.sensors.size() < model.health.size() ? "needed: fewer sensors than health parameters, V = H Ph"
+      << (model.sensors.size() < model.health.size() ? "needed: fewer sensors than health parameters"
                                                      : "none needed: V = I")
       << '\n'
       << "  observability  rank " << seen.rank << " of " << seen.needed_rank << ", condition " << seen.condition

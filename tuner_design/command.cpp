@@ -2,7 +2,10 @@
 
 #include <unistd.h>
 
+#include <filesystem>
 #include <ostream>
+
+#include "monitor/design/file_error.h"
 
 namespace ehm::bench {
 
@@ -20,6 +23,16 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed, const std::string& 
     const bool good = text.find('-') == std::string::npos && CLI::detail::lexical_cast(text, value);
     return good ? std::string() : "'" + text + "' is not a whole number from 0 to 18446744073709551615";
   });
+}
+
+void require_other_file(const std::string& option, const std::string& out, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code absent;
+    const bool same =
+        std::filesystem::weakly_canonical(out, absent) == std::filesystem::weakly_canonical(input, absent);
+    if (same || std::filesystem::equivalent(out, input, absent))
+      throw design::FileError(out + ": " + option + " is the input itself; name another file");
+  }
 }
 
 work::ProgressBar progress_bar(const Console& console, const OutputOptions& options, std::size_t total) {

@@ -11,6 +11,7 @@
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "deploy/work/progress_bar.h"
 
@@ -33,6 +34,9 @@ void add_output_options(CLI::App& command, OutputOptions& options);
 
 /// --seed, 0 or above: CLI11 by itself turns -1 into the largest number.
 void add_seed_option(CLI::App& command, std::uint64_t& seed, const std::string& description);
+
+/// @throws design::FileError if `out` is one of the inputs: it would be overwritten.
+void require_other_file(const std::string& option, const std::string& out, const std::vector<std::string>& inputs);
 
 /// A bar of `total` steps on the standard error, as the options ask for it.
 work::ProgressBar progress_bar(const Console& console, const OutputOptions& options, std::size_t total);

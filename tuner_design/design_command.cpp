@@ -1,7 +1,6 @@
 #include "tuner_design/design_command.h"
 
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -52,16 +51,10 @@ void require_pairs(const Arguments& arguments) {
   if (!arguments.point_weights.empty() && arguments.point_weights.size() != models)
     throw CLI::ValidationError("--point-weight", std::to_string(arguments.point_weights.size()) + " weights for " +
                                                      std::to_string(models) + " models; give one for each, or none");
-  for (std::size_t i = 0; i < models; ++i) {
-    std::error_code absent;
-    for (const std::string& model : arguments.models) {
-      if (std::filesystem::equivalent(model, arguments.outs[i], absent))
-        throw design::FileError(arguments.outs[i] + ": --out is a model itself; name another file for the design");
-    }
-    for (std::size_t j = 0; j < i; ++j) {
-      if (arguments.outs[i] == arguments.outs[j])
-        throw CLI::ValidationError("--out", arguments.outs[i] + " is named twice; each design needs its own file");
-    }
+  std::vector<std::string> taken = arguments.models;
+  for (const std::string& out : arguments.outs) {
+    require_other_file("--out", out, taken);
+    taken.push_back(out);
   }
 }
 
@@ -124,11 +117,12 @@ void design_to_files(const Arguments& arguments, const Console& console) {
 }  // namespace
 
 void add_weight_options(CLI::App& command, WeightArguments& arguments) {
-  const auto weight = [&](const char* name, double& value, const char* what) {
-    command.add_option(name, value, what)->check(CLI::Range(0.0, 1e6))->capture_default_str();
+  // Without any weight on health, directions of it are left free and its error grows without bound (THEORY section 5).
+  const auto weight = [&](const char* name, double& value, double least, const char* what) {
+    command.add_option(name, value, what)->check(CLI::Range(least, 1e6))->capture_default_str();
   };
-  weight("--weight-health", arguments.health, "Weight of SSEE(h) over its limit in the objective");
-  weight("--weight-auxiliary", arguments.auxiliary, "Weight of SSEE(z) over its limit in the objective");
+  weight("--weight-health", arguments.health, 1e-6, "Weight of SSEE(h) over its limit in the objective");
+  weight("--weight-auxiliary", arguments.auxiliary, 0.0, "Weight of SSEE(z) over its limit in the objective");
   command.add_option("--weight", arguments.channels, "Weight of one auxiliary output within SSEE(z); repeatable")
       ->type_name("NAME=VALUE")
       ->check([](const std::string& text) {

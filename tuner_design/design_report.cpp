@@ -91,6 +91,13 @@ void print_errors(const Design& design, std::ostream& out) {
        design.linearisation.auxiliary.sum(), "mixed");
 }
 
+/// Health parameter with the largest sigma.
+Eigen::Index worst_channel(const Design& design) {
+  Eigen::Index worst = 0;
+  design.full.health_total_covariance.diagonal().maxCoeff(&worst);
+  return worst;
+}
+
 void print_missing(const Design& design, std::ostream& out) {
   out << "\n  without sensor     tuners     SSEE(h)     SSEE(z)  slowest time constant, s\n";
   for (std::size_t i = 0; i < design.missing.size(); ++i) {
@@ -175,7 +182,10 @@ void print_design(const Design& design, std::ostream& out) {
   if (worse.empty()) return;
   out << "  warning: sigma exceeds the fleet's own for";
   for (const std::string& name : worse) out << ' ' << name;
-  out << "; lower --qh, or remove what the sensors hardly see\n";
+  const Eigen::Index at = worst_channel(design);
+  const bool noise = design.ssee.health(at) > design.linearisation.health(at);
+  out << (noise ? "; lower --qh, or remove what the sensors hardly see\n"
+                : "; mostly what the linear model misses of the engine: linearise nearer to where it runs\n");
 }
 
 }  // namespace ehm::bench

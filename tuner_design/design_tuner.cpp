@@ -46,6 +46,11 @@ bool within_prior(const SubsetDesign& design, const LinearModel& scaled_model) {
   return (design.health_total_covariance.diagonal().array() <= scaled_model.health_sigma.array().square()).all();
 }
 
+bool knows_its_error(const Envelope& envelope) {
+  return std::any_of(envelope.points.begin(), envelope.points.end(),
+                     [](const PreparedPoint& point) { return point.model.linearisation_error.size() > 0; });
+}
+
 /// Tuners with the filter of every point on them.
 struct Candidate {
   ChosenTuners tuners;
@@ -67,21 +72,29 @@ Candidate candidate_with(
   return candidate;
 }
 
-/// Least objective of all numbers of tuners, of those within the prior if there are any.
-Candidate best_number_of_tuners(const Envelope& envelope, const std::vector<int>& sensors,
-                                const DesignOptions& options) {
+/// Least objective of all numbers of tuners, of those within the prior if there are any. A model that knows its
+/// linearisation error may leave no sensible choice within the prior: one that costs more than a quarter of the
+/// objective is not taken. none: no number of tuners has a filter.
+std::optional<Candidate> best_number_of_tuners(const Envelope& envelope, const std::vector<int>& sensors,
+                                               const DesignOptions& options) {
+  constexpr double too_dear = 1.25;
   Eigen::Index most = envelope.points.front().model.L.cols();
   for (const PreparedPoint& point : envelope.points)
     most = std::min<Eigen::Index>(most, observability_of(point, sensors).rank);
-  std::optional<Candidate> best;
+  std::optional<Candidate> best, best_within;
   for (Eigen::Index t = most; t >= 1; --t) {
-    Candidate candidate = candidate_with(envelope, sensors, t, options, 0, 1);
-    const bool better = !best || (candidate.within_prior && !best->within_prior) ||
-                        (candidate.within_prior == best->within_prior && candidate.objective < best->objective);
-    if (better) best = std::move(candidate);
+    try {
+      const Candidate candidate = candidate_with(envelope, sensors, t, options, 0, 1);
+      if (!best || candidate.objective < best->objective) best = candidate;
+      if (candidate.within_prior && (!best_within || candidate.objective < best_within->objective))
+        best_within = candidate;
+    } catch (const std::runtime_error&) {
+      // no filter on so many tuners: fewer may have one
+    }
   }
-  if (!best) throw std::runtime_error("no combination of health parameters is observable");
-  return *std::move(best);
+  const bool affordable =
+      best_within && (!knows_its_error(envelope) || best_within->objective <= too_dear * best->objective);
+  return affordable ? best_within : best;
 }
 
 std::optional<SubsetDesign> design_without(int absent, const PreparedPoint& point, const DesignOptions& options) {
@@ -90,21 +103,20 @@ std::optional<SubsetDesign> design_without(int absent, const PreparedPoint& poin
     if (i != absent) present.push_back(i);
   }
   if (present.empty()) return std::nullopt;
-  Candidate best = best_number_of_tuners({{point}, {1.0}}, present, options);
+  std::optional<Candidate> best = best_number_of_tuners({{point}, {1.0}}, present, options);
   // A model that misses so much of its engine may have none within the prior; the least bad one still tells its sigma.
-  if (!best.within_prior && point.model.linearisation_error.size() == 0) return std::nullopt;
-  return std::move(best.filters.front());
+  if (!best || (!best->within_prior && point.model.linearisation_error.size() == 0)) return std::nullopt;
+  return std::move(best->filters.front());
 }
 
 /// All sensors, on as many tuners as sensors; fewer where a model's linearisation error asks for it.
 Candidate design_full(
     const Envelope& envelope, const std::vector<int>& all, const DesignOptions& options, int random_starts,
     unsigned threads, const DesignProgress& progress = [](double) {}) {
-  const auto knows_its_error = [](const PreparedPoint& point) { return point.model.linearisation_error.size() > 0; };
   auto tuners = std::min<Eigen::Index>(static_cast<Eigen::Index>(all.size()), envelope.points.front().model.L.cols());
-  if (std::any_of(envelope.points.begin(), envelope.points.end(), knows_its_error)) {
-    const Candidate best = best_number_of_tuners(envelope, all, options);
-    if (best.within_prior) tuners = best.tuners.search.V.rows();
+  if (knows_its_error(envelope)) {
+    if (const std::optional<Candidate> best = best_number_of_tuners(envelope, all, options))
+      tuners = best->tuners.search.V.rows();
   }
   return candidate_with(envelope, all, tuners, options, random_starts, threads, progress);
 }

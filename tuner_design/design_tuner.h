@@ -2,9 +2,11 @@
 // From linear models to finished designs: one design for all sensors, and one without each single sensor. Which tuners:
 // choose_tuners.h. Several models are the points of an envelope: their full sensor sets share one V*.
 // A design without a sensor, and every design of a model that knows its linearisation error, may have fewer tuners than
-// sensors: an estimate must not be worse than none, so that of all numbers of tuners that keep every published sigma
-// within the fleet's own, the one with the least objective is taken. Which combinations of health are dropped first
-// follows what stands out least from what a long average still gets wrong (closed_form_tuners).
+// sensors: an estimate should not be worse than none, so that of all numbers of tuners that keep every published sigma
+// within the fleet's own, the one with the least objective is taken. Where that would cost more than a quarter of the
+// objective, a model with a linearisation error keeps the best of all, and its sigma says so. Which combinations of
+// health are dropped first follows what stands out least from what a long average still gets wrong
+// (closed_form_tuners).
 
 #include <Eigen/Core>
 #include <functional>

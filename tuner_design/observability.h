@@ -20,7 +20,7 @@ struct Observability {
   double condition = 0.0;             ///< of Hs; that of H Ph H^T (in noise units) is its square
   std::vector<std::string> culprits;  ///< sensors (m < p) or health parameters that cannot be told apart, if deficient
 
-  static constexpr double relative_tolerance = 1e-8;
+  static constexpr double relative_tolerance = 1e-6;
   [[nodiscard]] bool sufficient() const noexcept { return rank == needed_rank; }
 };
 

@@ -70,7 +70,10 @@ void sweep(const Arguments& arguments, const Console& console) {
     work::ProgressBar bar = progress_bar(console, arguments.output, steps.size());
     points = response_sweep(design, steps, arguments.threads, [&](std::size_t done) { bar.show(done); });
   }
-  if (!arguments.csv.empty()) files::write_file_atomically(arguments.csv, response_csv(points));
+  if (!arguments.csv.empty()) {
+    require_other_file("--csv", arguments.csv, {arguments.design});
+    files::write_file_atomically(arguments.csv, response_csv(points));
+  }
   print_result(
       console, arguments.output, [&] { return as_json(design, points); },
       [&](std::ostream& out) { print_sweep(design, points, out); });

@@ -31,7 +31,10 @@ void compare(const Arguments& arguments, const Console& console) {
     throw design::FileError(arguments.design + ": " + error.what());
   }
   bar.clear();
-  if (!arguments.csv.empty()) files::write_file_atomically(arguments.csv, baselines_as_csv(design, table));
+  if (!arguments.csv.empty()) {
+    require_other_file("--csv", arguments.csv, {arguments.design});
+    files::write_file_atomically(arguments.csv, baselines_as_csv(design, table));
+  }
   print_result(
       console, arguments.output,
       [&] {

@@ -38,7 +38,10 @@ void evaluate_file(Arguments arguments, const Console& console) {
   options.map = arguments.estimator != "kalman";
   const design::Design design = design::read_design(arguments.design);
   const Evaluation evaluation = evaluated(design, arguments, console);
-  if (!arguments.csv.empty()) files::write_file_atomically(arguments.csv, evaluation_as_csv(evaluation, design));
+  if (!arguments.csv.empty()) {
+    require_other_file("--csv", arguments.csv, {arguments.design});
+    files::write_file_atomically(arguments.csv, evaluation_as_csv(evaluation, design));
+  }
   print_result(
       console, arguments.output, [&] { return evaluation_as_json(evaluation, design, options); },
       [&](std::ostream& out) { print_evaluation(evaluation, design, options, out); });

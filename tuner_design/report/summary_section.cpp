@@ -52,6 +52,7 @@ std::string is_it_optimal(const ReportData& data) {
   text += certificate.verdict + ".";
   if (certificate.at_optimum)
     text += " What is above the limit is the price of the response time" +
+            std::string(certificate.points.size() > 1 ? " and of one V* for all points" : "") +
             std::string(
                 t < std::min(data.steady.H.rows(), p)
                     ? ", and of combinations left out because the linear model errs more there than the sensors see."

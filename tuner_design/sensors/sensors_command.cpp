@@ -66,7 +66,10 @@ void select(const Arguments& arguments, const Console& console) {
   report.all = value_of(problem, problem.every());
   report.without = without_each(problem);
   report.without_any = fleet_merit(problem);
-  if (!arguments.csv.empty()) files::write_file_atomically(arguments.csv, front_as_csv(problem, report.front));
+  if (!arguments.csv.empty()) {
+    require_other_file("--csv", arguments.csv, {arguments.model});
+    files::write_file_atomically(arguments.csv, front_as_csv(problem, report.front));
+  }
   print_result(
       console, arguments.output, [&] { return sensors_as_json(problem, report); },
       [&](std::ostream& out) { print_sensors(problem, report, out); });

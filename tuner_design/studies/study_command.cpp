@@ -47,7 +47,10 @@ void run_study(Arguments arguments, const Console& console) {
   } catch (const std::invalid_argument& error) {
     throw design::FileError((arguments.model.empty() ? "" : arguments.model + ": ") + error.what());
   }
-  if (!arguments.csv.empty()) files::write_file_atomically(arguments.csv, study_csv(study));
+  if (!arguments.csv.empty()) {
+    require_other_file("--csv", arguments.csv, {arguments.model});
+    files::write_file_atomically(arguments.csv, study_csv(study));
+  }
   print_result(
       console, arguments.output,
       [&] {

@@ -95,7 +95,9 @@ TEST(Riccati, RefusesWhatHasNoSolution) {
 }
 
 TEST(Lyapunov, AgreesWithScipy) {
-  for (const auto& problem : scipy_reference().at("lyapunov")) {
+  const nlohmann::json reference = scipy_reference();
+  ASSERT_FALSE(reference.at("lyapunov").empty());
+  for (const auto& problem : reference.at("lyapunov")) {
     SCOPED_TRACE(problem.at("name").get<std::string>());
     const Eigen::MatrixXd expected = matrix(problem.at("X"));
     const Eigen::MatrixXd X = solve_discrete_lyapunov(matrix(problem.at("A")), matrix(problem.at("Q")));

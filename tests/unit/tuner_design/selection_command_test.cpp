@@ -140,7 +140,7 @@ TEST(SensorsCommand, MistakesExitWithTwoAndName) {
   expect({"--qh", "nan"}, "'nan' is not a number from 1e-12 to 100");
   expect({"--budget", "-1"}, "'-1' is not a finite number, 0 or above");
   expect({"--max-sensors", "0"}, "--max-sensors");
-  expect({"--weight-health", "0", "--weight-auxiliary", "0"}, "all are zero");
+  expect({"--weight-health", "0"}, "not in range");  // THEORY section 5: health would go wild
   expect({"--weight", "wing=2"}, "no auxiliary output 'wing'");
   const std::string file = test::temporary_path("wrong_costs.csv");
   for (const auto& [content, text] : std::vector<std::pair<std::string, std::string>>{
