@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "deploy/work/progress_bar.h"
+#include "deploy/long_work/progress_bar.h"
 
 namespace ehm::bench {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <ostream>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
 #include "tuner_design/check_report.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "tuner_design/bayes_limit.h"
 #include "tuner_design/choose_tuners.h"
 #include "tuner_design/kalman_error.h"

@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "deploy/files/atomic_file.h"
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/search/response_time.h"
 

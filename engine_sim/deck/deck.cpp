@@ -4,7 +4,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "engine_sim/deck/deck_columns.h"
 #include "engine_sim/model/ratings.h"
 

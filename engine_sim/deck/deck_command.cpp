@@ -12,8 +12,8 @@
 
 #include "deploy/files/atomic_file.h"
 #include "deploy/files/file_error.h"
+#include "deploy/long_work/progress_bar.h"
 #include "deploy/service/stop_signal.h"
-#include "deploy/work/progress_bar.h"
 #include "engine_sim/deck/deck.h"
 #include "engine_sim/deck/deck_columns.h"
 #include "engine_sim/model/engines/jt9d.h"

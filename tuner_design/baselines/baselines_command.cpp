@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "deploy/files/atomic_file.h"
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
 #include "tuner_design/baselines/baseline_report.h"

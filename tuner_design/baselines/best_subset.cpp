@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "tuner_design/kalman_error.h"
 #include "tuner_design/kalman_gain.h"
 #include "tuner_design/map_estimator.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 
 namespace ehm::bench {
 namespace {

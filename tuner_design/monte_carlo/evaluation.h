@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "monitor/design/design.h"
 
 namespace ehm::bench {

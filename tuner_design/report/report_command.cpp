@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "deploy/files/atomic_file.h"
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/file_error.h"
 #include "tuner_design/design_report.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "tuner_design/choose_tuners.h"
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/kalman_error.h"

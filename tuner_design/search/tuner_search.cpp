@@ -5,7 +5,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "tuner_design/search/blind_tuner.h"
 #include "tuner_design/search/kalman_objective.h"
 #include "tuner_design/search/map_objective.h"

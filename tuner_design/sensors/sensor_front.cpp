@@ -4,7 +4,7 @@
 #include <bit>
 #include <tuple>
 
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "tuner_design/sensors/subset_bounds.h"
 
 namespace ehm::bench {

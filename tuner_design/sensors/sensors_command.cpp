@@ -5,7 +5,7 @@
 
 #include "deploy/files/atomic_file.h"
 #include "deploy/files/csv_table.h"
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 #include "monitor/design/file_error.h"
 #include "monitor/design/model_file.h"
 #include "tuner_design/design_command.h"

@@ -1,4 +1,4 @@
-#include "deploy/work/parallel_for.h"
+#include "deploy/long_work/parallel_for.h"
 
 #include <gtest/gtest.h>
 

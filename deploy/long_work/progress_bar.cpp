@@ -1,4 +1,4 @@
-#include "deploy/work/progress_bar.h"
+#include "deploy/long_work/progress_bar.h"
 
 #include <algorithm>
 #include <cmath>
