@@ -8,7 +8,7 @@
 
 namespace ehm::design {
 
-/// "closed form", "kalman" or "map": as in files and on the command line.
+/// "closed-form", "kalman" or "map": as in files and on the command line.
 const char* name_of(Tuning tuning);
 
 Json options_to_json(const DesignOptions& options);

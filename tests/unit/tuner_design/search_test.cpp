@@ -194,7 +194,7 @@ TEST_F(ReferenceSearch, MapSearchEndsAtTheFullOrderEstimator) {
 }
 
 TEST_F(ReferenceSearch, ABlindTunerIsNoTrap) {
-  // MAP for health alone: four of these ten random starts would end where one tuner is unseen, 15 % above the optimum.
+  // MAP for health alone: random starts can end where one tuner is seen by no sensor, well above the optimum.
   const PreparedPoint point = prepare(model);
   SearchProblem problem;
   problem.estimator = Estimator::map;
