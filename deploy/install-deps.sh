@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what building, running and testing needs, on a bare Debian 12. This is the one list of packages.
-# Usage: deploy/install-deps.sh          as root, or as a user who may run sudo
-# Exit:  0 all present, 1 something could not be installed (the message names it)
+# Usage: deploy/install-deps.sh [--full]   as root, or as a user who may run sudo; --full adds what only
+#        ./tests/run.sh --full needs
+# Exit:  0 all present, 1 something could not be installed (the message names it), 2 wrong usage
 set -euo pipefail
 
 packages=(
@@ -11,14 +12,26 @@ packages=(
   libeigen3-dev libfastrtps-dev libfastcdr-dev fastddsgen libnlopt-dev libnlopt-cxx-dev libspdlog-dev libfmt-dev
   libgtest-dev libgmock-dev
   # configuration, files, command line
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libmatio-dev zlib1g-dev libssl-dev
-  # an independent DDS for the interoperability tests and the C example
-  cyclonedds-dev cyclonedds-tools
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libmatio-dev libhdf5-dev zlib1g-dev libssl-dev
+  # a service: notification and watchdog, metrics
+  libsystemd-dev prometheus-cpp-dev libcpp-httplib-dev
+  # an independent DDS for the interoperability tests and the C example; Fast DDS' discovery server
+  cyclonedds-dev cyclonedds-tools fastdds-tools
+  # what the tests ask beside: certificates, unit files, recordings read by others, hosts in network namespaces
+  openssl systemd python3-h5py iproute2 curl
   # measurements: tests/bench
   libbenchmark-dev valgrind
   # pictures of the documentation
   gnuplot-nox graphviz
 )
+# Only ./tests/run.sh --full needs these: fuzzers, and packages built and installed into a root of their own.
+full_packages=(clang libclang-rt-14-dev llvm lintian debootstrap dpkg-dev fakeroot)
+
+case "${1:-}" in
+  "") ;;
+  --full) packages+=("${full_packages[@]}") ;;
+  *) echo "install-deps: unknown option '$1'; allowed is --full" >&2; exit 2 ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -21,7 +21,7 @@ static_assert(sizeof(EngineAuxiliary) == 6 * layout::word + (3 + 3 * layout::aux
 static_assert(sizeof(EngineResiduals) ==
               (6 + layout::sensors) * layout::word + (2 + 3 * layout::sensors) * layout::number);
 static_assert(sizeof(EngineTruth) == 6 * layout::word + (2 + layout::health + layout::auxiliary) * layout::number);
-static_assert(sizeof(MonitorStatus) == 6 * layout::word + 20 * layout::number);
+static_assert(sizeof(MonitorStatus) == 6 * layout::word + 30 * layout::number);
 static_assert(sizeof(SimCommand) == 6 * layout::word + 4 * layout::number);
 static_assert(sizeof(MonitorCommand) == 4 * layout::word);
 

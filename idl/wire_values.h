@@ -41,16 +41,25 @@ enum class StatusLevel : std::uint32_t {
 };
 
 enum class EventKind : std::uint32_t {
-  sensor_fault = 1,     ///< channel: sensor; value: sample count or ratio, threshold: its limit
-  health_shift = 2,     ///< channel: health parameter; value: change, threshold: what noise explains
-  health_limit = 3,     ///< channel: health parameter; configured threshold
-  auxiliary_limit = 4,  ///< channel: auxiliary output; configured threshold
-  input_lost = 5,       ///< value: age in seconds
-  filter_restart = 6,   ///< value: seconds of the jump in time or sequence that caused it
-  operating_point = 7,  ///< value: distance from the design's point, threshold: 1
-  no_design = 8,        ///< no design for the sensors that are left
-  sample_time = 9,      ///< value: the source's mean sample time in s, threshold: the design's
-  second_source = 10    ///< value: source_id that is not listened to, threshold: the one that is
+  sensor_fault = 1,       ///< channel: sensor; value: sample count or ratio, threshold: its limit
+  health_shift = 2,       ///< channel: health parameter; value: change, threshold: what noise explains
+  health_limit = 3,       ///< channel: health parameter; configured threshold
+  auxiliary_limit = 4,    ///< channel: auxiliary output; configured threshold
+  input_lost = 5,         ///< value: age in seconds
+  filter_restart = 6,     ///< value: seconds of the jump in time or sequence that caused it
+  operating_point = 7,    ///< value: distance from the design's point, threshold: 1
+  no_design = 8,          ///< no design for the sensors that are left
+  sample_time = 9,        ///< value: the source's mean sample time in s, threshold: the design's
+  second_source = 10,     ///< value: source_id that is not listened to, threshold: the one that is
+  ambiguous_fault = 11,   ///< something changed abruptly, sensor or component cannot be told; channel: likeliest sensor
+  slow_bias = 12,         ///< channel: sensor; a drift that the fleet's wear does not explain; value: bias, sensor unit
+  checkpoint = 13,        ///< the filter resumed from a checkpoint (raised 0), or one was refused (raised 1)
+  configuration = 14,     ///< a reload was taken (raised 0) or refused (raised 1, the message says why)
+  input_deadline = 15,    ///< the middleware's deadline on EngineSensors was missed
+  input_liveliness = 16,  ///< the writer of EngineSensors lost its liveliness
+  incompatible_qos = 17,  ///< an endpoint was excluded by QoS; the message names the policy
+  recording = 18,         ///< the recorder stopped or lost samples
+  security = 19           ///< somebody without permission was kept out
 };
 
 enum class SimCommandKind : std::uint32_t {

@@ -5,6 +5,7 @@
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/realtime/clock.h"
+#include "monitor/status_report.h"
 
 namespace ehm::monitor {
 
@@ -63,15 +64,15 @@ void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int6
   const Stamp stamp{slot.engine_id, source_id_, slot.sample.sequence, slot.sample.source_time_ns, wall_clock_ns()};
   if (result.estimates) {
     convert(slot.cycle, result, stamp, health_sample_);
-    health_.write(health_sample_);
+    slot.writes_refused += !health_.write(health_sample_);
     convert(slot.cycle, result, stamp, auxiliary_sample_);
-    auxiliary_.write(auxiliary_sample_);
+    slot.writes_refused += !auxiliary_.write(auxiliary_sample_);
     const double latency_us = std::max(0.0, 1e-3 * static_cast<double>(wall_clock_ns() - arrival_ns));
     slot.latency.record(latency_us);
     slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
   }
   convert(result, stamp, residuals_sample_);
-  residuals_.write(residuals_sample_);
+  slot.writes_refused += !residuals_.write(residuals_sample_);
 }
 
 void CycleThread::obey(const MonitorCommand& command) {
@@ -111,55 +112,19 @@ void CycleThread::report_events(EngineSlot& slot) {
   slot.cycle.clear_events();
 }
 
-StatusLevel CycleThread::level_of(const EngineSlot& slot) const {
-  namespace flag = wire::estimate_flag;
-  if (slot.cycle.stale() || slot.received_ns == 0) return StatusLevel::stale;
-  const CycleResult& result = slot.cycle.result();
-  if (!result.estimates) return StatusLevel::error;
-  const CycleCounters &now = slot.cycle.counters(), &before = slot.status_counters;
-  const bool troubled = now.lost != before.lost || now.malformed != before.malformed ||
-                        now.reordered != before.reordered || now.foreign != before.foreign;
-  const bool restricted = (result.flags & (flag::degraded | flag::shifted)) != 0;
-  return troubled || restricted ? StatusLevel::warn : StatusLevel::ok;
-}
-
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
-  const CycleCounters& c = slot.cycle.counters();
-  const double since_s = 1e-9 * static_cast<double>(now_ns - slot.status_ns);
-  Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
-  MonitorStatus& s = report.status;
-  s.engine_id(slot.engine_id);
-  s.source_id(source_id_);
-  s.schema(wire::schema_version);
-  s.level(static_cast<std::uint32_t>(level));
-  s.last_sequence(slot.sample.sequence);
-  s.status_time_ns(wall_clock_ns());
-  s.samples_received(c.received);
-  s.samples_processed(c.processed);
-  s.samples_lost(c.lost);
-  s.samples_duplicated(c.duplicated);
-  s.samples_reordered(c.reordered);
-  s.samples_foreign(c.foreign);
-  s.samples_malformed(c.malformed);
-  s.samples_withheld(c.withheld);
-  s.sensor_rejections(c.sensor_rejections);
-  s.filter_restarts(c.restarts);
-  s.events_raised(slot.cycle.events().raised_total());
-  s.unknown_engine_samples(unknown_engine_samples_);
-  s.deadline_misses(slot.deadline_misses);
-  s.age_s(1e-9 * static_cast<double>(now_ns - (slot.received_ns != 0 ? slot.received_ns : start_ns_)));
-  s.rate_hz(slot.status_ns == 0 ? 0.0 : static_cast<double>(c.received - slot.status_received) / since_s);
-  s.latency_p50_us(slot.latency.percentile_us(0.50));
-  s.latency_p99_us(slot.latency.percentile_us(0.99));
-  s.latency_max_us(slot.latency.max_us());
-  s.sensors_used(static_cast<std::uint32_t>(slot.cycle.result().sensors_used.to_ulong()));
-  s.flags(slot.cycle.result().flags);
   if (!reports_.has_room()) return;  // tried again at the next turn
+  Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
+  report.status = make_status(slot, level, now_ns, start_ns_);
+  report.status.source_id(source_id_);
+  report.status.status_time_ns(wall_clock_ns());
+  report.status.unknown_engine_samples(unknown_engine_samples_);
+  report.status.reports_lost(reports_.overflow());
   reports_.push(report);
   slot.status_ns = now_ns;
-  slot.status_received = c.received;
+  slot.status_received = slot.cycle.counters().received;
   slot.status_level = static_cast<std::uint32_t>(level);
-  slot.status_counters = c;
+  slot.status_counters = slot.cycle.counters();
 }
 
 void CycleThread::say_stopped() {

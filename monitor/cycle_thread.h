@@ -26,7 +26,6 @@ class CycleThread {
   void watch_input();
   void report_events(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
-  wire::StatusLevel level_of(const EngineSlot& slot) const;
 
   std::uint32_t source_id_;
   bool source_clock_;

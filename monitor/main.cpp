@@ -8,44 +8,12 @@
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
-#include "deploy/service/stop_signal.h"
 #include "monitor/config.h"
-#include "monitor/cycle_thread.h"
 #include "monitor/engine_table.h"
-#include "monitor/reporter.h"
-
-namespace {
-
-using namespace ehm;
-
-wire::ParticipantOptions participant_options(const monitor::MonitorConfig& config) {
-  wire::ParticipantOptions options;
-  options.domain = static_cast<std::uint32_t>(config.domain);
-  options.name = "monitor " + std::to_string(config.source_id);
-  options.profiles_file = config.profiles_file;
-  options.profile = config.profile;
-  options.partition = config.partition;
-  options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
-  options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
-  return options;
-}
-
-void run(const monitor::MonitorConfig& config, monitor::EngineTable& engines) {
-  const service::StopSignal stop;
-  wire::Participant participant(participant_options(config));
-  auto reports = std::make_unique<monitor::ReportQueue>();
-  monitor::Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports);
-  monitor::CycleThread cycle(participant, config, engines, *reports);
-  spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
-               engines.size());
-  while (!stop.requested()) cycle.run_once();
-  cycle.say_stopped();
-  spdlog::info("stopped in order");
-}
-
-}  // namespace
+#include "monitor/service.h"
 
 int main(int argc, char** argv) {
+  using namespace ehm;
   spdlog::set_default_logger(spdlog::stderr_color_mt("monitor"));
 
   monitor::MonitorConfig config;
@@ -73,7 +41,7 @@ int main(int argc, char** argv) {
   }
 
   try {
-    run(config, *engines);
+    monitor::run_service(config, *engines);
     return service::exit_ok;
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';

@@ -14,7 +14,7 @@ case "${1:-}" in
 esac
 build=${EHM_BUILD_DIR:-build}
 
-deploy/install-deps.sh
+if [ "$full" = yes ]; then deploy/install-deps.sh --full; else deploy/install-deps.sh; fi
 
 # sanitized NAME SANITIZERS CTEST_ARGUMENT...: builds with the sanitizers and runs the chosen tests.
 sanitized() {

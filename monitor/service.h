@@ -1,0 +1,19 @@
+#pragma once
+// The monitor as a service: which threads there are, and what connects them.
+//
+//   DDS --> CycleThread (the caller's thread) --> DDS
+//               | bounded queues, never waited for
+//               v
+//           Reporter (logs, events, status) and whatever else is slow, each on a thread of its own
+//
+// @throws wire::DdsError if DDS refuses an entity.
+
+#include "monitor/config.h"
+#include "monitor/engine_table.h"
+
+namespace ehm::monitor {
+
+/// Serves until SIGINT or SIGTERM; then drains and tells every engine's subscribers that it stopped in order.
+void run_service(const MonitorConfig& config, EngineTable& engines);
+
+}  // namespace ehm::monitor
