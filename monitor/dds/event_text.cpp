@@ -27,7 +27,8 @@ std::string reasons(std::uint32_t detail) {
                                                           {reason::range, "out of range"},
                                                           {reason::rate, "impossible rate"},
                                                           {reason::stuck, "stuck"},
-                                                          {reason::innovation_gate, "outside the innovation gate"}};
+                                                          {reason::innovation_gate, "outside the innovation gate"},
+                                                          {reason::excluded, "declared faulty earlier"}};
   std::string text;
   for (const auto& [bit, name] : names)
     if (detail & bit) text += (text.empty() ? "" : ", ") + std::string(name);
