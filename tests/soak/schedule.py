@@ -132,6 +132,10 @@ def corrupt_checkpoint(rig):
             f.write(b"\xff\x00\xff")
 
 
+# What a soak of a minute tries.
+SHORT = ("bias", "kill monitor", "hostile", "bad reload", "network")
+
+
 class Schedule:
     """Draws disturbances from a bag that holds each kind once, so that a short soak sees many kinds."""
 
@@ -166,15 +170,20 @@ class Schedule:
         return bool(self.sensors)
 
     def draw(self, t, wall, short, lives_left):
-        """The next disturbance; `short` keeps to those that end soon, `lives_left` false spares the services."""
+        """The next disturbance, or None. `short`: the telling ones first, little time to recover; `lives_left` false
+        spares the services."""
         if not self.bag:
             self.bag = list(self.makers)
             self.rng.shuffle(self.bag)
-        slow = {"drift", "component", "component again"} if short else set()
+            if short:
+                self.bag.sort(key=lambda name: SHORT.index(name) if name in SHORT else len(SHORT))
         spared = set() if lives_left else {"kill monitor", "kill simulator", "corrupt checkpoint"}
-        choice = next((name for name in self.bag if name not in slow | spared), None)
+        choice = next((name for name in self.bag if name not in spared), None)
         if choice is None:
             self.bag = []
             return None
         self.bag.remove(choice)
-        return self.makers[choice](self.rig, self.rng, t, wall)
+        disturbance = self.makers[choice](self.rig, self.rng, t, wall)
+        if short:
+            disturbance.recovery_s = min(disturbance.recovery_s, 6.0)
+        return disturbance

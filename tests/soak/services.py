@@ -97,10 +97,10 @@ class Rig:
             f"{build}/tests/soak/soak_agent", "--source-domain", str(source_domain), "--monitor-domain",
             str(monitor_domain)], log("agent"), stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.impair = None if options.accelerated else Service("ehm_impair", [
-            f"{build}/tests/tools/ehm_impair", "--from-domain", str(source_domain), "--to-domain",
+            f"{build}/tests/tools/ehm_impair", "--from", str(source_domain), "--to",
             str(monitor_domain), "--seed", str(options.seed)], log("impair"), stdin=subprocess.PIPE)
         self.hostile = Service("ehm_hostile", [
-            f"{build}/tests/tools/ehm_hostile", "--domain", str(monitor_domain), "--seed", str(options.seed)],
+            f"{build}/tests/tools/ehm_hostile", "--domain", str(monitor_domain), "--duration-s", "0", "--seed", str(options.seed)],
             log("hostile"))
 
     def write_config(self, design=None, status_period_s=1.0):

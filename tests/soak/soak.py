@@ -5,6 +5,7 @@ import json
 import os
 import re
 import signal
+import subprocess
 import sys
 import time
 import tomllib
@@ -80,7 +81,7 @@ class Soak:
         self.raw = open(os.path.join(options.out, "record.jsonl"), "w")
         self.pending, self.t, self.active = b"", 0.0, None
         self.start_wall = self.last_sample_wall = time.monotonic()
-        self.next_draw_t = 15.0  # the filter has settled
+        self.next_draw_t = 12.0  # the filter has settled
         self.awaiting_restart = None  # wall time of a restart that has not been followed by estimates yet
         self.estimates = 0
         self.stop_wanted = False
@@ -124,13 +125,13 @@ class Soak:
         if self.active:
             if not self.active.advance(self.t, self.wall()):
                 self.say(f"{self.active.kind} over")
-                self.next_draw_t = self.t + self.schedule.rng.uniform(0.2, 1.0) * self.pace()
+                self.next_draw_t = self.t + self.schedule.rng.uniform(0.2, 1.0) * self.longest_calm_s()
                 self.active = None
             return
         left_s = self.options.duration - self.t
-        if not self.schedule.ready() or self.t < self.next_draw_t or left_s < 20.0:
+        if not self.schedule.ready() or self.t < self.next_draw_t or left_s < (10.0 if self.short() else 60.0):
             return
-        d = self.schedule.draw(self.t, self.wall(), short=left_s < 60.0, lives_left=self.may_kill())
+        d = self.schedule.draw(self.t, self.wall(), self.short(), lives_left=self.may_kill())
         if d is None:
             return
         self.active = d
@@ -139,13 +140,16 @@ class Soak:
             self.awaiting_restart = self.wall() + 1.5
         self.say(f"{d.kind} {d.about.get('name', '')} {d.about.get('size', '')}")
 
-    def pace(self):
-        return 8.0 if self.options.duration < 300.0 else 20.0 if not self.options.accelerated else 60.0
+    def short(self):
+        return self.options.duration < 300.0
+
+    def longest_calm_s(self):
+        return 2.0 if self.short() else 20.0 if not self.options.accelerated else 60.0
 
     def may_kill(self):
         """One life of a third of the soak at least stays whole, so that growth of memory can be seen."""
         share = self.t / self.options.duration
-        return self.options.duration < 300.0 or not 0.33 < share < 0.67
+        return self.short() or not 0.33 < share < 0.67
 
     def watch_processes(self):
         for service in self.rig.services():
@@ -216,7 +220,6 @@ def main():
 
 def make_design(options):
     """The demo's design, made once by the project's own commands."""
-    import subprocess
     model, design = (os.path.join(options.out, name) for name in ("model.json", "design.json"))
     if not os.path.exists(design):
         bench = f"{options.build}/tuner_design/tuner_design"
