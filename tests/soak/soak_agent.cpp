@@ -25,6 +25,8 @@ namespace {
 using namespace ehm;
 using Json = nlohmann::json;
 
+constexpr std::uint32_t simulator_id = 1;  ///< engine.source_id of engine_sim, by default
+
 /// Source time flown, over gaps and restarts of the source.
 class FlownTime {
  public:
@@ -62,7 +64,9 @@ class Agent {
         monitor_commands_(monitor_side) {}
 
   void hear_all() {
-    each(sensors_, [&](const EngineSensors& s) { hear(s); });
+    each(sensors_, [&](const EngineSensors& s) {
+      if (s.source_id() == simulator_id) hear(s);  // others only disturb
+    });
     each(truth_, [&](const EngineTruth& t) { errors_.hear(t); });
     each(health_, [&](const EngineHealth& h) {
       errors_.hear(h);
