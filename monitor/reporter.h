@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "idl/dds/endpoint.h"
+#include "idl/wire_values.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
@@ -14,12 +15,15 @@ class Reporter {
   Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
+  /// From any slow thread: publishes and logs what the service itself has to say. `engine_id` 0 is the whole monitor.
+  void say(wire::EventKind kind, bool raised, std::uint32_t engine_id, const std::string& message);
 
  private:
   void run();
   bool report_next();
   void report_event(const Report& report);
   void report_overflow();
+  void publish(const HealthEvent& event);
 
   std::uint32_t source_id_;
   ReportQueue& queue_;

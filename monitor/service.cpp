@@ -2,8 +2,12 @@
 
 #include <spdlog/spdlog.h>
 
+#include <optional>
+
 #include "deploy/service/stop_signal.h"
+#include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/cycle_thread.h"
+#include "monitor/realtime/clock.h"
 #include "monitor/reporter.h"
 
 namespace ehm::monitor {
@@ -22,6 +26,27 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
   return options;
 }
 
+/// Checkpoints are on: what is kept in flight, and what could be resumed at start.
+struct Checkpoints {
+  Checkpoints(const MonitorConfig& config, const EngineTable& engines, Reporter& reporter)
+      : writer(config.checkpoint_directory),
+        resumable(
+            config.checkpoint_directory, config.checkpoint_max_age_s, wall_clock_ns(),
+            [&](std::uint32_t id) {
+              const design::Design* design = engines.design_of(id);
+              return design ? design->hash : std::string();
+            },
+            refused),
+        keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s) {
+    for (const auto& r : refused)
+      reporter.say(wire::EventKind::checkpoint, true, r.engine_id, r.why + ". The filter starts cold");
+  }
+  std::vector<RefusedCheckpoint> refused;
+  CheckpointWriter writer;
+  ResumeTable resumable;
+  CheckpointKeeper keeper;
+};
+
 }  // namespace
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
@@ -29,7 +54,9 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   wire::Participant participant(participant_options(config));
   auto reports = std::make_unique<ReportQueue>();
   Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports);
-  CycleThread cycle(participant, config, engines, *reports);
+  std::optional<Checkpoints> checkpoints;
+  if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
+  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   while (!stop.requested()) cycle.run_once();

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "deploy/files/atomic_file.h"
 #include "deploy/files/file_error.h"
 #include "monitor/design/json_object.h"
 
@@ -57,6 +58,11 @@ std::string misfit(const Checkpoint& c, std::uint32_t named, const std::string& 
 std::string checkpoint_path(const std::string& folder, std::uint32_t engine_id) {
   return (std::filesystem::path(folder) / (std::string(prefix) + std::to_string(engine_id) + std::string(suffix)))
       .string();
+}
+
+void require_writable_folder(const std::string& folder) {
+  const std::string probe = (std::filesystem::path(folder) / "writable").string();
+  files::AtomicFile file(probe);  // its temporary file is gone without commit()
 }
 
 ResumeTable::ResumeTable(const std::string& folder, double max_age_s, std::int64_t wall_time_ns,

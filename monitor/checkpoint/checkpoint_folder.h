@@ -13,6 +13,10 @@ namespace ehm::monitor {
 /// FOLDER/engine_ID.json
 std::string checkpoint_path(const std::string& folder, std::uint32_t engine_id);
 
+/// Tried at start, so that a wrong folder is found by the operator and not by the first kill.
+/// @throws files::FileError with the folder and the system's reason if it does not exist or cannot be written.
+void require_writable_folder(const std::string& folder);
+
 /// A file that was not taken: which, and one sentence why.
 struct RefusedCheckpoint {
   std::uint32_t engine_id = 0;  ///< 0: the file's name tells none

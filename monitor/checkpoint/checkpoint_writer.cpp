@@ -14,16 +14,10 @@ namespace {
 
 constexpr std::chrono::milliseconds poll{20}, stop_limit{400};
 
-/// Tried at start, so that a wrong folder is found by the operator and not by the first kill.
-void require_writable(const std::string& folder) {
-  const std::string probe = folder + "/.ehm_writable";
-  files::AtomicFile file(probe);  // its temporary file is gone without commit()
-}
-
 }  // namespace
 
 CheckpointWriter::CheckpointWriter(std::string folder)
-    : folder_((require_writable(folder), std::move(folder))),
+    : folder_(std::move(folder)),
       queue_(std::make_unique<SpscQueue<CheckpointRequest, queue_length>>()),
       thread_([this] { run(); }) {}
 

@@ -24,10 +24,8 @@ struct CheckpointRequest {
 
 class CheckpointWriter {
  public:
-  /// `folder` must exist and be writable.
-  /// @throws files::FileError with the folder and the system's reason if it is not.
   explicit CheckpointWriter(std::string folder);
-  /// Writes what is queued, then ends the thread; gives up after `stop_limit_s` and says how many were left.
+  /// Writes what is queued for 0.4 s at most, then ends the thread; says how many were left.
   ~CheckpointWriter();
 
   /// For the cycle thread. Real-time safe: yes, both.
