@@ -48,6 +48,11 @@ std::string name_line(const CLI::App& app) {
   return text;
 }
 
+/// The commands, or the option groups, which CLI11 keeps as commands without a name.
+std::vector<const CLI::App*> subcommands(const CLI::App& app, bool groups) {
+  return app.get_subcommands([&](const CLI::App* sub) { return sub->get_name().empty() == groups; });
+}
+
 /// As --help writes it; the keys of a schema have a section of their own.
 void options(std::ostream& out, const CLI::App& app, bool with_configuration) {
   const CLI::Formatter format;
@@ -58,17 +63,18 @@ void options(std::ostream& out, const CLI::App& app, bool with_configuration) {
         << bold(format.make_option_name(option, positional)) << roff(format.make_option_opts(option)) << '\n'
         << roff(option->get_description()) << '\n';
   }
+  for (const CLI::App* group : subcommands(app, true)) options(out, *group, with_configuration);
 }
 
 void commands(std::ostream& out, const CLI::App& app) {
-  const auto list = app.get_subcommands([](const CLI::App*) { return true; });
+  const auto list = subcommands(app, false);
   if (list.empty()) return;
   out << ".SH COMMANDS\n";
   for (const CLI::App* command : list) {
     out << ".SS " << roff(command->get_name()) << '\n';
     paragraph(out, command->get_description());
     options(out, *command, true);
-    paragraph(out, command->get_footer());
+    if (command->get_footer() != app.get_footer()) paragraph(out, command->get_footer());  // inherited otherwise
   }
 }
 
