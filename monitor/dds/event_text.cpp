@@ -79,6 +79,8 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to",
                                     e.value, e.threshold)
                       : "the source has fallen silent, another may take over";
+    default:
+      break;
   }
   return "unknown event";
 }
