@@ -4,6 +4,7 @@
 
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 
+#include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/engine_table.h"
@@ -21,6 +22,8 @@ class CycleThread {
   void run_once();
   /// Tells every engine's subscribers that this monitor stops in order, and keeps a last checkpoint of each.
   void say_stopped();
+  /// Grows with every turn and every sample, at least 60 times a second.
+  const service::TurnCounter& turns() const { return turns_; }
 
  private:
   void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
@@ -40,6 +43,7 @@ class CycleThread {
   ReportQueue& reports_;
   CheckpointKeeper* checkpoints_;
   std::uint64_t unknown_engine_samples_ = 0;
+  service::TurnCounter turns_;
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;

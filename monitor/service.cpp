@@ -4,9 +4,11 @@
 
 #include <optional>
 
+#include "deploy/service/notify.h"
 #include "deploy/service/stop_signal.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/cycle_thread.h"
+#include "monitor/export/metrics_endpoint.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/reporter.h"
 
@@ -53,13 +55,19 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
   wire::Participant participant(participant_options(config));
   auto reports = std::make_unique<ReportQueue>();
-  Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports);
+  const auto source_id = static_cast<std::uint32_t>(config.source_id);
+  StatusBoard board;
+  Reporter reporter(participant, source_id, *reports, board);
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
   CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
+  const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
+  const service::Watchdog watchdog(cycle.turns(), "cycle");
+  service::notify_ready();
   while (!stop.requested()) cycle.run_once();
+  service::notify_stopping();
   cycle.say_stopped();
   spdlog::info("stopped in order");
 }
