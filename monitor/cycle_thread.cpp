@@ -13,6 +13,8 @@ using wire::StatusLevel;
 
 namespace {
 constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
+constexpr double leaving_wait_s = 0.002;  // while the pause between two samples is looked for
+constexpr std::int64_t longest_release_ns = 100'000'000;
 // Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing;
 // a source that says nothing at all for so long is lost all the same.
 constexpr double source_silence_s = 2.0;
@@ -32,14 +34,18 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
       commands_(participant),
       health_(participant),
       auxiliary_(participant),
-      residuals_(participant) {
+      residuals_(participant),
+      redundancy_(participant.options().redundancy) {
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(commands_.condition());
   triggered_.reserve(2);
+  if (redundancy_.exclusive)
+    peers_ = std::make_unique<PeerWatch>(participant, source_id_, [this] { return become_incumbent(); });
 }
 
 void CycleThread::run_once() {
-  wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(longest_wait_s)));
+  const double wait_s = leaving_ ? leaving_wait_s : longest_wait_s;
+  wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(wait_s)));
   while (sensors_.take(incoming_)) handle(incoming_, sensors_.received_ns());
   MonitorCommand command;
   while (commands_.take(command)) obey(command);
@@ -70,6 +76,7 @@ void CycleThread::first_sample(EngineSlot& slot) {
 }
 
 void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
+  if (slot.released) return;
   const Stamp stamp{slot.engine_id, source_id_, slot.sample.sequence, slot.sample.source_time_ns, wall_clock_ns()};
   if (result.estimates) {
     convert(slot.cycle, result, stamp, health_sample_);
@@ -144,7 +151,49 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   slot.status_counters = slot.cycle.counters();
 }
 
-void CycleThread::say_stopped() {
+bool CycleThread::become_incumbent() {
+  const std::uint32_t strength = redundancy_.strength + incumbent_bonus;
+  return health_.set_strength(strength) && auxiliary_.set_strength(strength) && residuals_.set_strength(strength);
+}
+
+/// In the middle of the pause between two samples, when every monitor has written its estimate of the last one; or the
+/// engine has fallen silent.
+bool CycleThread::between_samples(const EngineSlot& slot, std::int64_t now_ns) {
+  const double samples =
+      1e-9 * static_cast<double>(now_ns - slot.received_ns) / slot.cycle.design().model.sample_time_s;
+  return (samples > 0.3 && samples < 0.7) || samples > 2.0;
+}
+
+void CycleThread::release(EngineSlot& slot) {
+  health_sample_.engine_id(slot.engine_id);
+  auxiliary_sample_.engine_id(slot.engine_id);
+  residuals_sample_.engine_id(slot.engine_id);
+  health_.release(health_sample_);
+  auxiliary_.release(auxiliary_sample_);
+  residuals_.release(residuals_sample_);
+  slot.released = true;
+}
+
+void CycleThread::release_all() {
+  const std::int64_t limit_ns = monotonic_ns() + longest_release_ns;
+  leaving_ = true;
+  // A standby is heard from the sample after the release on: without a gap if that falls between two samples.
+  for (bool some_left = true; some_left;) {
+    some_left = false;
+    const std::int64_t now_ns = monotonic_ns();
+    engines_.for_each([&](EngineSlot& slot) {
+      if (slot.released) return;
+      if (!peers_ || now_ns > limit_ns || between_samples(slot, now_ns))
+        release(slot);
+      else
+        some_left = true;
+    });
+    if (some_left) run_once();
+  }
+}
+
+void CycleThread::stop() {
+  release_all();
   engines_.for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
   const std::int64_t limit_ns = monotonic_ns() + last_checkpoints_ns;
   if (checkpoints_) engines_.for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });

@@ -8,6 +8,7 @@
 #include "idl/dds/endpoint.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/engine_table.h"
+#include "monitor/redundancy/peer_watch.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
@@ -20,8 +21,8 @@ class CycleThread {
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
-  /// Tells every engine's subscribers that this monitor stops in order, and keeps a last checkpoint of each.
-  void say_stopped();
+  /// Ends in order: leaves every engine between two of its samples, tells its subscribers, keeps a last checkpoint.
+  void stop();
   /// Grows with every turn and every sample, at least 60 times a second.
   const service::TurnCounter& turns() const { return turns_; }
 
@@ -31,6 +32,10 @@ class CycleThread {
   void obey(const MonitorCommand& command);
   void watch_input();
   void first_sample(EngineSlot& slot);
+  bool become_incumbent();
+  void release(EngineSlot& slot);
+  void release_all();
+  static bool between_samples(const EngineSlot& slot, std::int64_t now_ns);
   void report_event(const EngineSlot& slot, const Event& event);
   void report_events(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
@@ -50,6 +55,7 @@ class CycleThread {
   wire::Writer<EngineHealth> health_;
   wire::Writer<EngineAuxiliary> auxiliary_;
   wire::Writer<EngineResiduals> residuals_;
+  bool leaving_ = false;  ///< engines are to be released
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 
@@ -57,6 +63,8 @@ class CycleThread {
   EngineHealth health_sample_;
   EngineAuxiliary auxiliary_sample_;
   EngineResiduals residuals_sample_;
+  wire::Redundancy redundancy_;
+  std::unique_ptr<PeerWatch> peers_;  ///< null unless ownership is exclusive
 };
 
 }  // namespace ehm::monitor

@@ -26,6 +26,7 @@ struct EngineSlot {
   CycleCounters status_counters;           ///< at that status, to tell what is new
   std::int64_t checkpoint_ns = 0;          ///< monotonic, of the latest checkpoint
   std::uint64_t checkpoint_processed = 0;  ///< samples processed up to that checkpoint
+  bool released = false;                   ///< its estimates are no longer written: the monitor stops
 };
 
 }  // namespace ehm::monitor

@@ -68,7 +68,7 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   service::notify_ready();
   while (!stop.requested()) cycle.run_once();
   service::notify_stopping();
-  cycle.say_stopped();
+  cycle.stop();
   spdlog::info("stopped in order");
 }
 
