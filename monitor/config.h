@@ -9,6 +9,7 @@
 
 #include "deploy/config/schema.h"
 #include "monitor/options.h"
+#include "monitor/realtime/rt_setup.h"
 
 namespace ehm::monitor {
 
@@ -26,6 +27,7 @@ struct MonitorConfig {
   double status_period_s = 1.0;
   std::string clock = "monotonic";
   CycleOptions cycle;
+  RealtimeOptions realtime;
 
   std::int64_t domain = 0;
   std::string partition, profiles_file, profile = "ehm_participant";

@@ -1,11 +1,14 @@
 #pragma once
 // The real-time side of the service: takes each sample as it arrives, runs its engine's cycle, writes the estimates,
-// and watches for input that stays away. Logs, events and status go to the reporter through a bounded queue.
+// and watches for input that stays away. EngineHealth is written first, and the latency ends there: from the reception
+// of the sample by the middleware to its EngineHealth handed to the middleware. Logs, events and status go to the
+// reporter through a bounded queue.
 
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 
 #include "idl/dds/endpoint.h"
 #include "monitor/engine_table.h"
+#include "monitor/realtime/arrival_clock.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
@@ -20,10 +23,11 @@ class CycleThread {
   void say_stopped();
 
  private:
+  void take_samples();
   void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
   void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
   void obey(const MonitorCommand& command);
-  void watch_input();
+  void watch_input(std::int64_t now_ns);
   void report_events(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
 
@@ -34,6 +38,9 @@ class CycleThread {
   EngineTable& engines_;
   ReportQueue& reports_;
   std::uint64_t unknown_engine_samples_ = 0;
+  ArrivalClock arrival_;
+  bool backlog_ = false;  ///< the last turn left samples
+  std::int64_t watched_ns_ = 0;
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;

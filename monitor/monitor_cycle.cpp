@@ -34,9 +34,9 @@ MonitorCycle::MonitorCycle(std::shared_ptr<const design::Design> design, const C
       options_(options),
       sensors_(static_cast<int>(design_->model.sensors.size())),
       actuators_(static_cast<int>(design_->model.controls.size())),
-      error_models_(make_error_models(*design_)),
+      error_models_(std::make_shared<const std::vector<estimation::ErrorModel>>(make_error_models(*design_))),
       filter_(design::make_filter(*design_)),
-      error_(error_models_.front()),
+      error_(error_models_->front()),
       sample_check_(options.checks, sensors_, actuators_, design_->model.sample_time_s),
       sample_time_(design_->model.sample_time_s),
       sensor_check_(options.checks, design_->model),
@@ -110,7 +110,7 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
 
 void MonitorCycle::restart_filter() noexcept {
   filter_.reset();
-  error_.reset(error_models_.front());
+  error_.reset(error_models_->front());
   shift_.reset();
   du_previous_ = du_;
 }
@@ -242,14 +242,14 @@ void MonitorCycle::exclude(int sensor) noexcept {
   const double narrow = filter_.innovation_variance()(sensor);
   const bool knew_it = error_.settled();
   filter_.switch_sensor_set(SensorSet::without(sensor));
-  error_.switch_to(error_models_[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
+  error_.switch_to((*error_models_)[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
   const double without_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
   return_gate_.start(with_it - without_it, narrow, filter_.innovation_variance()(sensor));
   if (!knew_it) return_gate_.forget();
 }
 
 void MonitorCycle::readmit() noexcept {
-  error_.switch_to(error_models_.front(), filter_.gain().to_full);
+  error_.switch_to(error_models_->front(), filter_.gain().to_full);
   filter_.switch_sensor_set(SensorSet::full());
 }
 

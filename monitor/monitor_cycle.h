@@ -49,6 +49,7 @@ struct CycleResult {
   estimation::SensorVector innovation, innovation_variance, ratio;
 };
 
+/// Copies share what is constant of a design (held by shared_ptr): a fleet is made by copying one fresh cycle.
 class MonitorCycle {
  public:
   /// `design` is shared by all engines of its type.
@@ -95,7 +96,7 @@ class MonitorCycle {
   std::shared_ptr<const design::Design> design_;
   CycleOptions options_;
   int sensors_, actuators_;
-  std::vector<estimation::ErrorModel> error_models_;  ///< [0] full set, [1 + i] without sensor i
+  std::shared_ptr<const std::vector<estimation::ErrorModel>> error_models_;  ///< [0] full set, [1 + i] without sensor i
   estimation::TunerFilter filter_;
   estimation::ErrorPropagation error_;
 

@@ -26,12 +26,16 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
-  wire::Participant participant(participant_options(config));
+  wire::Participant participant = [&] {
+    const MiddlewarePolicy inherited(config.realtime);
+    return wire::Participant(participant_options(config));
+  }();
   auto reports = std::make_unique<ReportQueue>();
   Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports);
   CycleThread cycle(participant, config, engines, *reports);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
+  for (const std::string& warning : set_up_realtime(config.realtime)) spdlog::warn("{}", warning);
   while (!stop.requested()) cycle.run_once();
   cycle.say_stopped();
   spdlog::info("stopped in order");
