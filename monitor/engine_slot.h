@@ -9,8 +9,7 @@
 namespace ehm::monitor {
 
 struct EngineSlot {
-  /// `fresh` is a cycle of this engine's design that has seen no sample yet.
-  explicit EngineSlot(const MonitorCycle& fresh) : cycle(fresh) {}
+  EngineSlot(const PreparedDesign& design, const CycleOptions& options) : cycle(design, options) {}
 
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet
   MonitorCycle cycle;

@@ -7,22 +7,20 @@
 namespace ehm::monitor {
 
 EngineTable::EngineTable(const MonitorConfig& config) : index_(static_cast<std::size_t>(config.max_engines)) {
-  // One cycle a design is made; the engines' are copies, which share its matrices.
-  std::map<std::string, MonitorCycle> cycles;
-  const auto load = [&](const std::string& file) -> const MonitorCycle& {
-    const auto known = cycles.find(file);
-    if (known != cycles.end()) return known->second;
-    return cycles.try_emplace(file, std::make_shared<const design::Design>(design::read_design(file)), config.cycle)
-        .first->second;
+  std::map<std::string, PreparedDesign> designs;
+  const auto make_slot = [&](const std::string& file) {
+    auto known = designs.find(file);
+    if (known == designs.end())
+      known = designs.try_emplace(file, std::make_shared<const design::Design>(design::read_design(file))).first;
+    return std::make_unique<EngineSlot>(known->second, config.cycle);
   };
   for (const auto& assignment : config.engines)
     for (const auto id : assignment.ids) {
-      slots_.push_back(std::make_unique<EngineSlot>(load(assignment.design)));
+      slots_.push_back(make_slot(assignment.design));
       assign(slots_.size() - 1, static_cast<std::uint32_t>(id));
     }
   if (config.design.empty()) return;
-  while (slots_.size() < static_cast<std::size_t>(config.max_engines))
-    slots_.push_back(std::make_unique<EngineSlot>(load(config.design)));
+  while (slots_.size() < static_cast<std::size_t>(config.max_engines)) slots_.push_back(make_slot(config.design));
 }
 
 EngineSlot* EngineTable::find(std::uint32_t engine_id, bool may_join) noexcept {

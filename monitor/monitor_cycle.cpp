@@ -3,8 +3,6 @@
 #include <limits>
 
 #include "idl/wire_values.h"
-#include "monitor/design/make_error_model.h"
-#include "monitor/design/make_filter.h"
 
 namespace ehm::monitor {
 
@@ -12,13 +10,6 @@ namespace reason = wire::reject_reason;
 using estimation::SensorSet;
 
 namespace {
-
-std::vector<estimation::ErrorModel> make_error_models(const design::Design& design) {
-  std::vector<estimation::ErrorModel> models{design::make_error_model(design, design.full)};
-  for (const auto& subset : design.missing)
-    models.push_back(subset ? design::make_error_model(design, *subset) : estimation::ErrorModel{});
-  return models;
-}
 
 template <class Vector>
 Vector trims(const std::vector<estimation::Channel>& channels) {
@@ -29,13 +20,13 @@ Vector trims(const std::vector<estimation::Channel>& channels) {
 
 }  // namespace
 
-MonitorCycle::MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options)
-    : design_(std::move(design)),
+MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options)
+    : design_(prepared.design),
       options_(options),
       sensors_(static_cast<int>(design_->model.sensors.size())),
       actuators_(static_cast<int>(design_->model.controls.size())),
-      error_models_(std::make_shared<const std::vector<estimation::ErrorModel>>(make_error_models(*design_))),
-      filter_(design::make_filter(*design_)),
+      error_models_(prepared.error_models),
+      filter_(prepared.filter),
       error_(error_models_->front()),
       sample_check_(options.checks, sensors_, actuators_, design_->model.sample_time_s),
       sample_time_(design_->model.sample_time_s),

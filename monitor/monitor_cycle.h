@@ -23,6 +23,7 @@
 #include "monitor/judge/shift_detector.h"
 #include "monitor/judge/validity.h"
 #include "monitor/options.h"
+#include "monitor/prepared_design.h"
 #include "monitor/sample.h"
 
 namespace ehm::monitor {
@@ -49,12 +50,14 @@ struct CycleResult {
   estimation::SensorVector innovation, innovation_variance, ratio;
 };
 
-/// Copies share what is constant of a design (held by shared_ptr): a fleet is made by copying one fresh cycle.
 class MonitorCycle {
  public:
-  /// `design` is shared by all engines of its type.
+  /// Shares the prepared design with all engines of its type.
   /// @throws std::invalid_argument if an option does not fit the design (names it).
-  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options);
+  MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options);
+  /// For one engine of its type.
+  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options)
+      : MonitorCycle(PreparedDesign(std::move(design)), options) {}
 
   /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
   /// result stands. Real-time safe: yes.
