@@ -51,6 +51,7 @@ void CycleThread::run_once() {
     watched_ns_ = now_ns;
     watch_input(now_ns);
   }
+  turns_.turned();
 }
 
 void CycleThread::take_samples() {
@@ -63,6 +64,7 @@ void CycleThread::take_samples() {
 }
 
 void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
+  turns_.turned();
   EngineSlot* slot = engines_.find(sensors.engine_id(), sensors.schema() == wire::schema_version);
   if (!slot) {
     // Said once a thousand: a stray source must not fill the log.

@@ -6,6 +6,7 @@
 
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 
+#include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/engine_table.h"
 #include "monitor/realtime/arrival_clock.h"
@@ -21,6 +22,8 @@ class CycleThread {
   void run_once();
   /// Tells every engine's subscribers that this monitor stops in order.
   void say_stopped();
+  /// Grows with every turn and every sample, at least 60 times a second.
+  const service::TurnCounter& turns() const { return turns_; }
 
  private:
   void take_samples();
@@ -41,6 +44,7 @@ class CycleThread {
   ArrivalClock arrival_;
   bool backlog_ = false;  ///< the last turn left samples
   std::int64_t watched_ns_ = 0;
+  service::TurnCounter turns_;
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;
