@@ -23,6 +23,12 @@ EngineTable::EngineTable(const MonitorConfig& config) : index_(static_cast<std::
   while (slots_.size() < static_cast<std::size_t>(config.max_engines)) slots_.push_back(make_slot(config.design));
 }
 
+const design::Design* EngineTable::design_of(std::uint32_t engine_id) const noexcept {
+  for (const auto& slot : slots_)
+    if (slot->engine_id == engine_id || slot->engine_id == 0) return &slot->cycle.design();
+  return nullptr;
+}
+
 EngineSlot* EngineTable::find(std::uint32_t engine_id, bool may_join) noexcept {
   if (engine_id == 0) return nullptr;  // reserved, see MonitorCommand
   if (const std::size_t i = index_.find(engine_id); i != EngineIndex::none) return slots_[i].get();
