@@ -76,9 +76,13 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
                                e.value, e.threshold)
                  : "samples come in the design's time again, the filter starts anew";
     case wire::EventKind::second_source:
-      return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to",
-                                    e.value, e.threshold)
-                      : "the source has fallen silent, another may take over";
+      if (!e.raised)
+        return "one source only sends samples of this engine again, or none does and another may take over";
+      if (e.value == e.threshold)
+        return fmt::format(
+            "another writer also sends samples of this engine as source {:.0f}; the first is listened to", e.value);
+      return fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value,
+                         e.threshold);
   }
   return "unknown event";
 }
