@@ -16,6 +16,7 @@ constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
 // Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing;
 // a source that says nothing at all for so long is lost all the same.
 constexpr double source_silence_s = 2.0;
+constexpr std::int64_t malformed_period_ns = 1'000'000'000;
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
@@ -52,12 +53,17 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
       reports_.push({Report::Kind::unknown_engine, sensors.engine_id(), nullptr, {}, unknown_engine_samples_, 0, {}});
     return;
   }
-  if (slot->received_ns == 0)
+  const CycleCounters before = slot->cycle.counters();
+  if (before.received == 0)
     reports_.push({Report::Kind::new_engine, slot->engine_id, &slot->cycle.design(), {}, 0, 0, {}});
-  slot->received_ns = monotonic_ns();
   convert(sensors, slot->sample);
-  if (slot->cycle.process(slot->sample)) publish(*slot, slot->cycle.result(), arrival_ns);
+  slot->sample.writer = sensors_.writer();
+  if (slot->cycle.process(slot->sample)) {
+    slot->received_ns = monotonic_ns();
+    publish(*slot, slot->cycle.result(), arrival_ns);
+  }
   report_events(*slot);
+  if (slot->cycle.counters().malformed != before.malformed) report_malformed(*slot);
 }
 
 void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
@@ -110,6 +116,17 @@ void CycleThread::report_events(EngineSlot& slot) {
                    slot.sample.source_time_ns,
                    {}});
   slot.cycle.clear_events();
+}
+
+void CycleThread::report_malformed(EngineSlot& slot) {
+  // Said once a second: a broken source must not fill the log.
+  const std::int64_t now_ns = monotonic_ns();
+  if (slot.malformed_ns != 0 && now_ns - slot.malformed_ns < malformed_period_ns) return;
+  slot.malformed_ns = now_ns;
+  const Sample& s = slot.sample;
+  Report report{Report::Kind::malformed, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
+  report.malformed = {s.source_id, s.schema, s.sensor_count, s.actuator_count, slot.cycle.counters().malformed};
+  reports_.push(report);
 }
 
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {

@@ -25,6 +25,7 @@ class CycleThread {
   void obey(const MonitorCommand& command);
   void watch_input();
   void report_events(EngineSlot& slot);
+  void report_malformed(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
 
   std::uint32_t source_id_;

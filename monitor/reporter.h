@@ -5,13 +5,16 @@
 #include <thread>
 
 #include "idl/dds/endpoint.h"
+#include "monitor/dds/input_watch.h"
+#include "monitor/notice_board.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
 
 class Reporter {
  public:
-  Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue);
+  Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
+           InputWatch& input);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
 
@@ -19,10 +22,15 @@ class Reporter {
   void run();
   bool report_next();
   void report_event(const Report& report);
+  void report_notices();
+  void report_status(MonitorStatus& status);
+  void publish(HealthEvent& event, const std::string& text);
   void report_overflow();
 
   std::uint32_t source_id_;
   ReportQueue& queue_;
+  NoticeBoard& notices_;
+  InputWatch& input_;
   std::uint64_t overflow_said_ = 0;
   wire::Writer<HealthEvent> events_;
   wire::Writer<MonitorStatus> status_;

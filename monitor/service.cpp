@@ -10,7 +10,7 @@ namespace ehm::monitor {
 
 namespace {
 
-wire::ParticipantOptions participant_options(const MonitorConfig& config) {
+wire::ParticipantOptions participant_options(const MonitorConfig& config, NoticeBoard& notices, InputWatch& input) {
   wire::ParticipantOptions options;
   options.domain = static_cast<std::uint32_t>(config.domain);
   options.name = "monitor " + std::to_string(config.source_id);
@@ -18,7 +18,10 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
   options.profile = config.profile;
   options.partition = config.partition;
   options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
-  options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
+  options.input = input.request();
+  options.on_incompatible = [&notices](const std::string& what) {
+    notices.post({wire::EventKind::incompatible_qos, true, what});
+  };
   return options;
 }
 
@@ -26,9 +29,11 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
-  wire::Participant participant(participant_options(config));
+  NoticeBoard notices;
+  InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
+  wire::Participant participant(participant_options(config, notices, input));
   auto reports = std::make_unique<ReportQueue>();
-  Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports);
+  Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports, notices, input);
   CycleThread cycle(participant, config, engines, *reports);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());

@@ -83,6 +83,8 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
             "another writer also sends samples of this engine as source {:.0f}; the first is listened to", e.value);
       return fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value,
                          e.threshold);
+    default:
+      break;
   }
   return "unknown event";
 }
