@@ -60,6 +60,7 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
   slot->sample.writer = sensors_.writer();
   if (slot->cycle.process(slot->sample)) {
     slot->received_ns = monotonic_ns();
+    slot->last_sequence = slot->sample.sequence;
     publish(*slot, slot->cycle.result(), arrival_ns);
   }
   report_events(*slot);

@@ -16,7 +16,8 @@ struct EngineSlot {
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet
   MonitorCycle cycle;
   LatencyHistogram latency;
-  Sample sample;                      ///< the latest
+  Sample sample;                      ///< the latest, in order or not
+  std::uint64_t last_sequence = 0;    ///< of the latest sample in order
   std::int64_t received_ns = 0;       ///< monotonic, of the latest sample in order
   std::int64_t malformed_ns = 0;      ///< monotonic, when malformed samples were last spoken of
   std::uint64_t deadline_misses = 0;  ///< estimates later than one sample time after their sample
