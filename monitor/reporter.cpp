@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "deploy/service/notify.h"
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/dds/event_text.h"
@@ -28,11 +29,12 @@ void say_malformed(const Report& report) {
 }  // namespace
 
 Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
-                   InputWatch& input)
+                   InputWatch& input, StatusBoard& board)
     : source_id_(source_id),
       queue_(queue),
       notices_(notices),
       input_(input),
+      board_(board),
       events_(participant),
       status_(participant),
       descriptions_(participant),
@@ -53,6 +55,7 @@ void Reporter::run() {
     }
     report_notices();
     report_overflow();
+    turns_.turned();
     if (!last) std::this_thread::sleep_for(poll);
   }
 }
@@ -71,8 +74,7 @@ bool Reporter::report_next() {
       say_malformed(report);
       break;
     case Report::Kind::new_engine:
-      descriptions_.write(describe(*report.design, report.engine_id, source_id_));
-      spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
+      report_new_engine(report);
       break;
     case Report::Kind::unknown_engine:
       spdlog::warn(
@@ -82,6 +84,13 @@ bool Reporter::report_next() {
       break;
   }
   return true;
+}
+
+void Reporter::report_new_engine(const Report& report) {
+  const EngineDescription description = describe(*report.design, report.engine_id, source_id_);
+  descriptions_.write(description);
+  board_.hang_up(description);
+  spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
 }
 
 void Reporter::report_event(const Report& report) {
@@ -119,6 +128,7 @@ void Reporter::report_status(MonitorStatus& status) {
   status.input_liveliness_losses(input_.liveliness_losses());
   status.reports_lost(status.reports_lost() + notices_.lost());
   status_.write(status);
+  if (board_.hang_up(status)) service::notify_status(board_.summary());
 }
 
 void Reporter::publish(HealthEvent& event, const std::string& text) {
@@ -126,6 +136,7 @@ void Reporter::publish(HealthEvent& event, const std::string& text) {
   event.schema(wire::schema_version);
   event.message() = text.c_str();
   events_.write(event);
+  board_.hang_up(event);
   const std::string who = event.engine_id() == 0 ? "" : fmt::format("engine {}: ", event.engine_id());
   spdlog::log(event.raised() != 0 ? spdlog::level::warn : spdlog::level::info, "{}{}", who, text);
 }

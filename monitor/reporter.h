@@ -4,8 +4,10 @@
 #include <atomic>
 #include <thread>
 
+#include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/dds/input_watch.h"
+#include "monitor/export/status_board.h"
 #include "monitor/notice_board.h"
 #include "monitor/report.h"
 
@@ -13,14 +15,17 @@ namespace ehm::monitor {
 
 class Reporter {
  public:
+  /// What it publishes also hangs on `board`.
   Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
-           InputWatch& input);
+           InputWatch& input, StatusBoard& board);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
+  const service::TurnCounter& turns() const { return turns_; }
 
  private:
   void run();
   bool report_next();
+  void report_new_engine(const Report& report);
   void report_event(const Report& report);
   void report_notices();
   void report_status(MonitorStatus& status);
@@ -31,6 +36,8 @@ class Reporter {
   ReportQueue& queue_;
   NoticeBoard& notices_;
   InputWatch& input_;
+  StatusBoard& board_;
+  service::TurnCounter turns_;
   std::uint64_t overflow_said_ = 0;
   wire::Writer<HealthEvent> events_;
   wire::Writer<MonitorStatus> status_;

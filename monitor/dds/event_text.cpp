@@ -9,6 +9,8 @@ namespace {
 const estimation::Channel* channel_of(const Event& e, const estimation::LinearModel& model) {
   switch (e.kind) {
     case wire::EventKind::sensor_fault:
+    case wire::EventKind::ambiguous_fault:
+    case wire::EventKind::slow_bias:
       return &model.sensors.at(e.channel);
     case wire::EventKind::health_shift:
     case wire::EventKind::health_limit:
@@ -83,8 +85,21 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
             "another writer also sends samples of this engine as source {:.0f}; the first is listened to", e.value);
       return fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value,
                          e.threshold);
-    default:
-      break;
+    case wire::EventKind::ambiguous_fault:
+      return e.raised ? fmt::format("something changed abruptly, and sensor or component cannot be told (likeliest {})",
+                                    c->name)
+                      : "the abrupt change is settled";
+    case wire::EventKind::slow_bias:
+      return e.raised ? fmt::format("sensor {} drifts, by {:+.4g} {}", c->name, e.value, c->unit)
+                      : fmt::format("sensor {} has stopped drifting", c->name);
+    case wire::EventKind::input_deadline:
+    case wire::EventKind::input_liveliness:
+    case wire::EventKind::checkpoint:
+    case wire::EventKind::configuration:
+    case wire::EventKind::incompatible_qos:
+    case wire::EventKind::recording:
+    case wire::EventKind::security:
+      break;  // their messages are made where they happen, off the cycle
   }
   return "unknown event";
 }
