@@ -106,21 +106,13 @@ void Reporter::report_event(const Report& report) {
   wire_event.value(event.value);
   wire_event.threshold(event.threshold);
   wire_event.channel_name() = channel_name(event, report.design->model).c_str();
-  publish(wire_event, text);
+  wire_event.message() = text.c_str();
+  publish(wire_event);
 }
 
 void Reporter::report_notices() {
   input_.settle(monotonic_ns());
-  for (const Notice& notice : notices_.take()) {
-    HealthEvent event;
-    event.engine_id(notice.engine_id);
-    event.kind(static_cast<std::uint32_t>(notice.kind));
-    event.raised(notice.raised ? 1 : 0);
-    event.source_time_ns(wall_clock_ns());
-    event.value(notice.value);
-    event.threshold(notice.threshold);
-    publish(event, notice.text);
-  }
+  for (const Notice& notice : notices_.take()) say(notice);
 }
 
 void Reporter::report_status(MonitorStatus& status) {
@@ -131,14 +123,26 @@ void Reporter::report_status(MonitorStatus& status) {
   if (board_.hang_up(status)) service::notify_status(board_.summary());
 }
 
-void Reporter::publish(HealthEvent& event, const std::string& text) {
+void Reporter::say(const Notice& notice) {
+  HealthEvent event;
+  event.engine_id(notice.engine_id);
+  event.kind(static_cast<std::uint32_t>(notice.kind));
+  event.raised(notice.raised ? 1 : 0);
+  event.source_time_ns(wall_clock_ns());
+  event.value(notice.value);
+  event.threshold(notice.threshold);
+  event.message() = notice.text.c_str();
+  publish(event);
+}
+
+void Reporter::publish(HealthEvent& event) {
   event.source_id(source_id_);
   event.schema(wire::schema_version);
-  event.message() = text.c_str();
   events_.write(event);
   board_.hang_up(event);
-  const std::string who = event.engine_id() == 0 ? "" : fmt::format("engine {}: ", event.engine_id());
-  spdlog::log(event.raised() != 0 ? spdlog::level::warn : spdlog::level::info, "{}{}", who, text);
+  const std::string whom =
+      event.engine_id() == 0 ? std::string() : "engine " + std::to_string(event.engine_id()) + ": ";
+  spdlog::log(event.raised() != 0 ? spdlog::level::warn : spdlog::level::info, "{}{}", whom, event.message().c_str());
 }
 
 void Reporter::report_overflow() {

@@ -6,6 +6,7 @@
 
 #include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
+#include "idl/wire_values.h"
 #include "monitor/dds/input_watch.h"
 #include "monitor/export/status_board.h"
 #include "monitor/notice_board.h"
@@ -20,6 +21,8 @@ class Reporter {
            InputWatch& input, StatusBoard& board);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
+  /// From any slow thread that is not the middleware's (those post on the notice board): publishes and logs.
+  void say(const Notice& notice);
   const service::TurnCounter& turns() const { return turns_; }
 
  private:
@@ -29,8 +32,8 @@ class Reporter {
   void report_event(const Report& report);
   void report_notices();
   void report_status(MonitorStatus& status);
-  void publish(HealthEvent& event, const std::string& text);
   void report_overflow();
+  void publish(HealthEvent& event);
 
   std::uint32_t source_id_;
   ReportQueue& queue_;

@@ -42,6 +42,8 @@ class SampleCheck {
     writer_ = 0;
   }
   std::uint32_t source_id() const noexcept { return source_id_; }
+  std::uint64_t last_sequence() const noexcept { return last_sequence_; }
+  std::int64_t last_time_ns() const noexcept { return last_time_ns_; }
 
  private:
   bool malformed(const Sample& sample) const noexcept;
