@@ -4,6 +4,7 @@
 #include <set>
 
 #include "deploy/config/table_reader.h"
+#include "deploy/service/listen_address.h"
 
 namespace ehm::monitor {
 
@@ -49,6 +50,14 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
   schema.real("shift.persistence_s", s.persistence_s, 0, 60, "s", "and must last so long");
   schema.real("shift.false_alarm_per_hour", s.false_alarm_per_hour, 1e-9, 100, "1/h",
               "rate at which noise alone may raise a health shift");
+}
+
+void declare_checkpoint(Schema& schema, MonitorConfig& m) {
+  schema.text("checkpoint.directory", m.checkpoint_directory,
+              "existing folder for one checkpoint file per engine, from which a killed monitor resumes; empty is none");
+  schema.real("checkpoint.period_s", m.checkpoint_period_s, 0.1, 3600, "s", "time between checkpoints of an engine");
+  schema.real("checkpoint.max_age_s", m.checkpoint_max_age_s, 0.1, 1e6, "s",
+              "an older checkpoint, by our clock or by the source's, is not resumed: the filter starts cold");
 }
 
 void declare_tables(Schema& schema, MonitorConfig& m) {
@@ -103,6 +112,7 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.choice("monitor.clock", m.clock, {"monotonic", "source"},
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
+  declare_checkpoint(schema, m);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", m.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
@@ -112,6 +122,8 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",
                  "of this monitor under exclusive ownership; the strongest live one is seen");
   schema.choice("log.level", m.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
+  schema.text("metrics.listen", m.metrics_listen,
+              "HOST:PORT of the HTTP endpoint /metrics, /health, /ready; port 0 is any free one, empty is none");
   declare_tables(schema, m);
 }
 
@@ -119,6 +131,11 @@ void finish_config(const MonitorConfig& m) {
   if (m.design.empty() && m.engines.empty())
     throw ConfigError(
         "no design: set monitor.design (--monitor-design FILE) or an [[engine]] table; tuner_design makes the file");
+  try {
+    if (!m.metrics_listen.empty()) service::parse_listen_address(m.metrics_listen);
+  } catch (const std::invalid_argument& e) {
+    throw ConfigError(std::string("'metrics.listen' ") + e.what() + ", empty for none");
+  }
   std::set<std::int64_t> seen;
   for (const auto& e : m.engines)
     for (const auto id : e.ids)
