@@ -43,9 +43,10 @@ pid=$(property ehm-monitor MainPID)
 kill -STOP "$pid"
 until_true 40 new_process ehm-monitor "$pid" || fail "no new start of a monitor that hangs"
 [ "$(property ehm-monitor NRestarts)" = 2 ] || fail "$(property ehm-monitor NRestarts) restarts counted, not 2"
+ls /var/lib/ehm/*engine*1* >/dev/null 2>&1 || fail "no checkpoint in $(ls -d /var/lib/ehm/*)"
 passed "started anew after kill -9, and by the watchdog after a hang"
 
-sed 's/^\[monitor\]/&\nsource_id = 102/' /etc/ehm/monitor.toml >/etc/ehm/monitor-standby.toml
+sed 's/^\[monitor\]/&\nsource_id = 102/; s|/var/lib/ehm|&/standby|' /etc/ehm/monitor.toml >/etc/ehm/monitor-standby.toml
 systemctl start ehm-monitor@standby || fail "an instance does not start"
 [ -d /var/lib/ehm/standby ] || fail "the instance has no folder of its own"
 passed "an instance runs beside it"

@@ -87,7 +87,6 @@ inside sh /packages/in_chroot.sh $((201 + $$ % 30)) || fail "the installed pair"
 
 # What a user changed stays; what he did not change is renewed; state stays.
 sed -i 's/^max = 1380.0/max = 1390.0  # ours/' "$root/etc/ehm/monitor.toml"
-install -d "$root/var/lib/ehm"
 touch "$root/var/lib/ehm/state"
 apt install -o Dpkg::Options::=--force-confold --no-install-recommends /packages/next/ehm-{monitor,engine-sim,tools}_"${next}_$architecture.deb"
 [ "$(version_of ehm-monitor)" = "$next" ] || fail "version $(version_of ehm-monitor) after the upgrade, not $next"
