@@ -10,9 +10,7 @@
 
 namespace ehm::monitor {
 
-namespace {
-
-wire::ParticipantOptions participant_options(const MonitorConfig& config) {
+wire::ParticipantOptions service_participant(const MonitorConfig& config) {
   wire::ParticipantOptions options;
   options.domain = static_cast<std::uint32_t>(config.domain);
   options.name = "monitor " + std::to_string(config.source_id);
@@ -24,11 +22,9 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
   return options;
 }
 
-}  // namespace
-
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
-  wire::Participant participant(participant_options(config));
+  wire::Participant participant(service_participant(config));
   auto reports = std::make_unique<ReportQueue>();
   const auto source_id = static_cast<std::uint32_t>(config.source_id);
   StatusBoard board;
