@@ -2,10 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
+#include <optional>
+
 #include "deploy/service/notify.h"
 #include "deploy/service/stop_signal.h"
+#include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/cycle_thread.h"
 #include "monitor/export/metrics_endpoint.h"
+#include "monitor/realtime/clock.h"
 #include "monitor/reporter.h"
 
 namespace ehm::monitor {
@@ -22,6 +26,31 @@ wire::ParticipantOptions service_participant(const MonitorConfig& config) {
   return options;
 }
 
+namespace {
+
+/// Checkpoints are on: what is kept in flight, and what could be resumed at start.
+struct Checkpoints {
+  Checkpoints(const MonitorConfig& config, const EngineTable& engines, Reporter& reporter)
+      : writer(config.checkpoint_directory),
+        resumable(
+            config.checkpoint_directory, config.checkpoint_max_age_s, wall_clock_ns(),
+            [&](std::uint32_t id) {
+              const design::Design* design = engines.design_of(id);
+              return design ? design->hash : std::string();
+            },
+            refused),
+        keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s) {
+    for (const auto& r : refused)
+      reporter.say(wire::EventKind::checkpoint, true, r.engine_id, r.why + ". The filter starts cold");
+  }
+  std::vector<RefusedCheckpoint> refused;
+  CheckpointWriter writer;
+  ResumeTable resumable;
+  CheckpointKeeper keeper;
+};
+
+}  // namespace
+
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
   wire::Participant participant(service_participant(config));
@@ -29,7 +58,9 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   const auto source_id = static_cast<std::uint32_t>(config.source_id);
   StatusBoard board;
   Reporter reporter(participant, source_id, *reports, board);
-  CycleThread cycle(participant, config, engines, *reports);
+  std::optional<Checkpoints> checkpoints;
+  if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
+  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});

@@ -46,15 +46,15 @@ void hear_descriptions(wire::Reader<EngineDescription>& reader, Descriptions& de
       descriptions[{d.engine_id(), d.source_id()}] = d;
 }
 
-void judge(ListenReport& report, const Descriptions& descriptions, EngineTable& engines, const CycleOptions& options) {
+void judge(ListenReport& report, const Descriptions& descriptions, const EngineTable& engines,
+           const CycleOptions& options) {
   for (auto& [key, source] : report.sources) {
-    const EngineSlot* slot = engines.find(key.first, true);
-    if (!slot) {
+    source.design = engines.design_of(key.first);
+    if (!source.design) {
       source.wiring.findings.push_back(
           {true, "no design serves this engine; name it in an [[engine]] table or set monitor.design"});
       continue;
     }
-    source.design = &slot->cycle.design();
     const auto described = descriptions.find(key);
     source.wiring = check_wiring(source.record, *source.design, options,
                                  described != descriptions.end() ? &described->second : nullptr);
@@ -92,7 +92,7 @@ void declare(CLI::App& app, ListenOptions& options) {
   app.add_flag("--json", options.json, "report of --listen as JSON")->needs(listen);
 }
 
-bool listen(const MonitorConfig& config, EngineTable& engines, const ListenOptions& options, std::ostream& out) {
+bool listen(const MonitorConfig& config, const EngineTable& engines, const ListenOptions& options, std::ostream& out) {
   const service::StopSignal stop;
   Complaints complaints;
   wire::ParticipantOptions participant_options = service_participant(config);

@@ -23,6 +23,6 @@ struct ListenOptions {
 void declare(CLI::App& app, ListenOptions& options);
 
 /// Writes the report to `out`. True if every source is wired as the monitor needs it, and there is one.
-bool listen(const MonitorConfig& config, EngineTable& engines, const ListenOptions& options, std::ostream& out);
+bool listen(const MonitorConfig& config, const EngineTable& engines, const ListenOptions& options, std::ostream& out);
 
 }  // namespace ehm::monitor
