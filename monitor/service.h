@@ -17,7 +17,7 @@
 
 namespace ehm::monitor {
 
-/// The participant that the configuration asks for; incompatible QoS goes to the log.
+/// The participant that the configuration asks for; who takes part adds what shall become of its notices.
 wire::ParticipantOptions service_participant(const MonitorConfig& config);
 
 /// Serves until SIGINT or SIGTERM; then drains and tells every engine's subscribers that it stopped in order.

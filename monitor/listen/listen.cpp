@@ -11,6 +11,7 @@
 
 #include "deploy/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
+#include "monitor/dds/input_watch.h"
 #include "monitor/listen/listen_report.h"
 #include "monitor/service.h"
 
@@ -97,6 +98,9 @@ bool listen(const MonitorConfig& config, const EngineTable& engines, const Liste
   Complaints complaints;
   wire::ParticipantOptions participant_options = service_participant(config);
   participant_options.name += " --listen";
+  NoticeBoard unheard;
+  InputWatch input(unheard, config.input_deadline_s, config.input_lease_s);
+  participant_options.input = input.request();  // as the service asks for it
   participant_options.on_incompatible = [&](const std::string& what) { complaints.add(what); };
   wire::Participant participant(participant_options);
   wire::Reader<EngineSensors> sensors(participant);
