@@ -7,7 +7,7 @@
 #include <string.h>
 #include <time.h>
 
-static bool add_channel(struct hardware *hardware, const char *kind, const struct channel *channel) {
+static bool add_channel(struct hardware* hardware, const char* kind, const struct channel* channel) {
   if (strcmp(kind, "actuator") == 0 && hardware->actuator_count < MAX_ACTUATORS)
     hardware->actuators[hardware->actuator_count++] = *channel;
   else if (strcmp(kind, "sensor") == 0 && hardware->sensor_count < MAX_SENSORS)
@@ -24,8 +24,8 @@ static bool add_channel(struct hardware *hardware, const char *kind, const struc
 }
 
 /* Splits at the next comma; an empty field is a field too, which strtok would pass over. */
-static const char *next_field(char **rest) {
-  char *field = *rest ? *rest : "";
+static const char* next_field(char** rest) {
+  char* field = *rest ? *rest : "";
   if (*rest) {
     *rest = strchr(field, ',');
     if (*rest) *(*rest)++ = '\0';
@@ -33,9 +33,9 @@ static const char *next_field(char **rest) {
   return field;
 }
 
-bool open_hardware(struct hardware *hardware, const char *file) {
+bool open_hardware(struct hardware* hardware, const char* file) {
   memset(hardware, 0, sizeof *hardware);
-  FILE *stream = fopen(file, "r");
+  FILE* stream = fopen(file, "r");
   if (!stream) {
     perror(file);
     return false;
@@ -46,14 +46,16 @@ bool open_hardware(struct hardware *hardware, const char *file) {
     line[strcspn(line, "\r\n")] = '\0';
     if (number == 1 || line[0] == '\0') continue; /* the heading */
     struct channel channel;
-    char *rest = line;
-    const char *kind = next_field(&rest);
+    char* rest = line;
+    const char* kind = next_field(&rest);
     snprintf(channel.name, sizeof channel.name, "%s", next_field(&rest));
     snprintf(channel.unit, sizeof channel.unit, "%s", next_field(&rest));
     channel.trim = atof(next_field(&rest));
     channel.sigma = atof(next_field(&rest));
     good = add_channel(hardware, kind, &channel);
-    if (!good) fprintf(stderr, "%s:%d: '%s,%s' is no flight, actuator or sensor channel, or one too many\n", file, number, kind, channel.name);
+    if (!good)
+      fprintf(stderr, "%s:%d: '%s,%s' is no flight, actuator or sensor channel, or one too many\n", file, number, kind,
+              channel.name);
   }
   fclose(stream);
   if (good && hardware->sensor_count == 0) fprintf(stderr, "%s: no sensor\n", file);
@@ -66,7 +68,7 @@ static double noise(void) {
   return sqrt(-2.0 * log(u)) * cos(6.283185307179586 * v);
 }
 
-bool read_hardware(const struct hardware *hardware, struct measurement *measurement) {
+bool read_hardware(const struct hardware* hardware, struct measurement* measurement) {
   struct timespec now;
   clock_gettime(CLOCK_REALTIME, &now);
   memset(measurement, 0, sizeof *measurement);

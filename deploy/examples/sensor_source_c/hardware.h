@@ -33,9 +33,9 @@ struct measurement {
 };
 
 /* Reads the channels from `file`, lines of kind,name,unit,trim,sigma. False after a message on stderr. */
-bool open_hardware(struct hardware *hardware, const char *file);
+bool open_hardware(struct hardware* hardware, const char* file);
 
 /* Called every sample time; must return well within it. False when nothing can be measured any more. */
-bool read_hardware(const struct hardware *hardware, struct measurement *measurement);
+bool read_hardware(const struct hardware* hardware, struct measurement* measurement);
 
 #endif

@@ -30,15 +30,21 @@ struct options {
   const char *partition, *channels;
 };
 
-static bool read_options(int argc, char **argv, struct options *options) {
+static bool read_options(int argc, char** argv, struct options* options) {
   *options = (struct options){.engine_id = 1, .source_id = 1};
   for (int option; (option = getopt(argc, argv, "d:p:e:i:s:")) != -1;) {
-    if (option == 'd') options->domain = (unsigned)atoi(optarg);
-    else if (option == 'p') options->partition = optarg;
-    else if (option == 'e') options->engine_id = (unsigned)atoi(optarg);
-    else if (option == 'i') options->source_id = (unsigned)atoi(optarg);
-    else if (option == 's') options->seconds = atof(optarg);
-    else return false;
+    if (option == 'd')
+      options->domain = (unsigned)atoi(optarg);
+    else if (option == 'p')
+      options->partition = optarg;
+    else if (option == 'e')
+      options->engine_id = (unsigned)atoi(optarg);
+    else if (option == 'i')
+      options->source_id = (unsigned)atoi(optarg);
+    else if (option == 's')
+      options->seconds = atof(optarg);
+    else
+      return false;
   }
   if (optind + 1 != argc || options->engine_id == 0 || options->source_id == 0) return false;
   options->channels = argv[optind];
@@ -47,8 +53,8 @@ static bool read_options(int argc, char **argv, struct options *options) {
 
 /* What the monitor's readers match: reliable, keep last; deadline and liveliness are offered, so that a reader may ask
  * for them. */
-static dds_qos_t *stream_qos(void) {
-  dds_qos_t *qos = dds_create_qos();
+static dds_qos_t* stream_qos(void) {
+  dds_qos_t* qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_MSECS(1));
   dds_qset_durability(qos, DDS_DURABILITY_VOLATILE);
   dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 256);
@@ -58,16 +64,16 @@ static dds_qos_t *stream_qos(void) {
 }
 
 /* The last value of each key stays for who joins late. */
-static dds_qos_t *state_qos(void) {
-  dds_qos_t *qos = dds_create_qos();
+static dds_qos_t* state_qos(void) {
+  dds_qos_t* qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
   dds_qset_durability(qos, DDS_DURABILITY_TRANSIENT_LOCAL);
   dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 16);
   return qos;
 }
 
-static dds_entity_t create_writer(dds_entity_t participant, dds_entity_t publisher, const dds_topic_descriptor_t *type,
-                                  const char *name, dds_qos_t *qos) {
+static dds_entity_t create_writer(dds_entity_t participant, dds_entity_t publisher, const dds_topic_descriptor_t* type,
+                                  const char* name, dds_qos_t* qos) {
   const dds_entity_t topic = dds_create_topic(participant, type, name, NULL, NULL);
   const dds_entity_t writer = topic < 0 ? topic : dds_create_writer(publisher, topic, qos, NULL);
   dds_delete_qos(qos);
@@ -75,7 +81,7 @@ static dds_entity_t create_writer(dds_entity_t participant, dds_entity_t publish
   return writer;
 }
 
-static void describe_channels(ehm_ChannelDescription *to, const struct channel *from, uint32_t count) {
+static void describe_channels(ehm_ChannelDescription* to, const struct channel* from, uint32_t count) {
   for (uint32_t i = 0; i < count; ++i) {
     snprintf(to[i].name, sizeof to[i].name, "%s", from[i].name);
     snprintf(to[i].unit, sizeof to[i].unit, "%s", from[i].unit);
@@ -85,7 +91,7 @@ static void describe_channels(ehm_ChannelDescription *to, const struct channel *
 }
 
 /* Optional, but with it `monitor --listen` compares names and units. */
-static int describe(dds_entity_t writer, const struct options *options, const struct hardware *hardware) {
+static int describe(dds_entity_t writer, const struct options* options, const struct hardware* hardware) {
   static ehm_EngineDescription d;
   d.engine_id = options->engine_id;
   d.source_id = options->source_id;
@@ -100,8 +106,8 @@ static int describe(dds_entity_t writer, const struct options *options, const st
   return dds_write(writer, &d);
 }
 
-static int publish(dds_entity_t writer, const struct options *options, const struct hardware *hardware,
-                   const struct measurement *measured, uint64_t sequence) {
+static int publish(dds_entity_t writer, const struct options* options, const struct hardware* hardware,
+                   const struct measurement* measured, uint64_t sequence) {
   ehm_EngineSensors s;
   memset(&s, 0, sizeof s); /* entries behind the counts are 0 */
   s.engine_id = options->engine_id;
@@ -121,7 +127,7 @@ static int publish(dds_entity_t writer, const struct options *options, const str
 }
 
 /* Every period on the monotonic clock, so that a late sample does not shift those after it. */
-static int run(dds_entity_t writer, const struct options *options, const struct hardware *hardware) {
+static int run(dds_entity_t writer, const struct options* options, const struct hardware* hardware) {
   struct timespec next;
   clock_gettime(CLOCK_MONOTONIC, &next);
   struct measurement measured;
@@ -129,7 +135,8 @@ static int run(dds_entity_t writer, const struct options *options, const struct 
     if (options->seconds > 0.0 && (double)sequence * (double)sample_time_ns >= 1e9 * options->seconds) break;
     if (!read_hardware(hardware, &measured)) return 1;
     const int written = publish(writer, options, hardware, &measured, sequence);
-    if (written < 0) fprintf(stderr, "sample %llu not taken: %s\n", (unsigned long long)sequence, dds_strretcode(-written));
+    if (written < 0)
+      fprintf(stderr, "sample %llu not taken: %s\n", (unsigned long long)sequence, dds_strretcode(-written));
     next.tv_nsec += sample_time_ns;
     if (next.tv_nsec >= 1000000000) {
       next.tv_nsec -= 1000000000;
@@ -141,11 +148,13 @@ static int run(dds_entity_t writer, const struct options *options, const struct 
   return dds_wait_for_acks(writer, DDS_SECS(1)) == DDS_RETCODE_OK ? 0 : 1;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   struct options options;
   struct hardware hardware;
   if (!read_options(argc, argv, &options)) {
-    fprintf(stderr, "usage: sensor_source_c [-d DOMAIN] [-p PARTITION] [-e ENGINE_ID] [-i SOURCE_ID] [-s SECONDS] CHANNELS.csv\n");
+    fprintf(
+        stderr,
+        "usage: sensor_source_c [-d DOMAIN] [-p PARTITION] [-e ENGINE_ID] [-i SOURCE_ID] [-s SECONDS] CHANNELS.csv\n");
     return 2;
   }
   if (!open_hardware(&hardware, options.channels)) return 2;
@@ -158,11 +167,12 @@ int main(int argc, char **argv) {
     fprintf(stderr, "no participant on domain %u: %s\n", options.domain, dds_strretcode(-participant));
     return 1;
   }
-  dds_qos_t *in_partition = dds_create_qos();
+  dds_qos_t* in_partition = dds_create_qos();
   if (options.partition) dds_qset_partition1(in_partition, options.partition);
   const dds_entity_t publisher = dds_create_publisher(participant, in_partition, NULL);
   dds_delete_qos(in_partition);
-  const dds_entity_t sensors = create_writer(participant, publisher, &ehm_EngineSensors_desc, "EngineSensors", stream_qos());
+  const dds_entity_t sensors =
+      create_writer(participant, publisher, &ehm_EngineSensors_desc, "EngineSensors", stream_qos());
   const dds_entity_t descriptions =
       create_writer(participant, publisher, &ehm_EngineDescription_desc, "EngineDescription", state_qos());
   int result = 1;
