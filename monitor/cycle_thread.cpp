@@ -166,6 +166,7 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   if (!reports_.has_room()) return;  // tried again at the next turn
   Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
   report.status = make_status(slot, level, now_ns, start_ns_);
+  report.estimates = estimates_of(slot.cycle);
   report.status.source_id(source_id_);
   report.status.status_time_ns(wall_clock_ns());
   report.status.unknown_engine_samples(unknown_engine_samples_);
