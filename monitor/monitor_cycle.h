@@ -21,9 +21,11 @@
 #include "monitor/estimation/tuner_filter.h"
 #include "monitor/judge/events.h"
 #include "monitor/judge/limit_watch.h"
+#include "monitor/judge/second_source_watch.h"
 #include "monitor/judge/shift_detector.h"
 #include "monitor/judge/validity.h"
 #include "monitor/options.h"
+#include "monitor/prepared_design.h"
 #include "monitor/sample.h"
 
 namespace ehm::monitor {
@@ -52,9 +54,12 @@ struct CycleResult {
 
 class MonitorCycle {
  public:
-  /// `design` is shared by all engines of its type.
+  /// Shares the prepared design with all engines of its type.
   /// @throws std::invalid_argument if an option does not fit the design (names it).
-  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options);
+  MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options);
+  /// For one engine of its type.
+  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options)
+      : MonitorCycle(PreparedDesign(std::move(design)), options) {}
 
   /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
   /// result stands. Real-time safe: yes.
@@ -104,7 +109,7 @@ class MonitorCycle {
   std::shared_ptr<const design::Design> design_;
   CycleOptions options_;
   int sensors_, actuators_;
-  std::vector<estimation::ErrorModel> error_models_;  ///< [0] full set, [1 + i] without sensor i
+  std::shared_ptr<const std::vector<estimation::ErrorModel>> error_models_;  ///< [0] full set, [1 + i] without sensor i
   estimation::TunerFilter filter_;
   estimation::ErrorPropagation error_;
 
@@ -122,7 +127,8 @@ class MonitorCycle {
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;
-  Condition no_design_, input_lost_, second_source_;
+  Condition no_design_, input_lost_;
+  SecondSourceWatch second_source_;
   EventList events_;
   CycleCounters counters_;
   CycleResult result_;
