@@ -26,6 +26,8 @@ struct MonitorConfig {
   double status_period_s = 1.0;
   std::string clock = "monotonic";
   CycleOptions cycle;
+  RecordOptions record;
+  OfflineOptions offline;
 
   std::int64_t domain = 0;
   std::string partition, profiles_file, profile = "ehm_participant";

@@ -19,13 +19,14 @@ constexpr double source_silence_s = 2.0;
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
-                         ReportQueue& reports)
+                         ReportQueue& reports, RecordFeed* records)
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
       start_ns_(monotonic_ns()),
       engines_(engines),
       reports_(reports),
+      records_(records),
       sensors_(participant),
       commands_(participant),
       health_(participant),
@@ -56,7 +57,9 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
     reports_.push({Report::Kind::new_engine, slot->engine_id, &slot->cycle.design(), {}, 0, 0, {}});
   slot->received_ns = monotonic_ns();
   convert(sensors, slot->sample);
-  if (slot->cycle.process(slot->sample)) publish(*slot, slot->cycle.result(), arrival_ns);
+  const bool accepted = slot->cycle.process(slot->sample);
+  if (accepted) publish(*slot, slot->cycle.result(), arrival_ns);
+  if (records_) records_->sample(*slot, accepted);
   report_events(*slot);
 }
 
@@ -81,6 +84,7 @@ void CycleThread::obey(const MonitorCommand& command) {
   engines_.for_each([&](EngineSlot& slot) {
     if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
     slot.cycle.reset();
+    if (records_) records_->marker(slot, recording::RowKind::reset, monotonic_ns());
     report_events(slot);
   });
 }
@@ -91,7 +95,7 @@ void CycleThread::watch_input() {
     const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
     const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
     if (!source_clock_ || age_s > source_silence_s) {
-      slot.cycle.no_input(age_s);
+      if (slot.cycle.no_input(age_s) && records_) records_->input_lost(slot, now_ns, now_ns - last_ns);
       report_events(slot);
     }
     const StatusLevel level = level_of(slot);
@@ -114,17 +118,35 @@ void CycleThread::report_events(EngineSlot& slot) {
 
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
   if (!reports_.has_room()) return;  // tried again at the next turn
+  if (records_) judge_recording(slot);
   Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
   report.status = make_status(slot, level, now_ns, start_ns_);
   report.status.source_id(source_id_);
   report.status.status_time_ns(wall_clock_ns());
   report.status.unknown_engine_samples(unknown_engine_samples_);
   report.status.reports_lost(reports_.overflow());
+  report.status.records_lost(records_ ? records_->lost() : 0);
   reports_.push(report);
   slot.status_ns = now_ns;
   slot.status_received = slot.cycle.counters().received;
   slot.status_level = static_cast<std::uint32_t>(level);
   slot.status_counters = slot.cycle.counters();
+}
+
+void CycleThread::judge_recording(EngineSlot& slot) {
+  const std::uint64_t lost = records_->lost();
+  EventList changes;
+  slot.losing_records.set(lost != slot.status_records_lost,
+                          {wire::EventKind::recording, 0, false, static_cast<double>(lost), 0.0, 0}, changes);
+  slot.status_records_lost = lost;
+  for (const Event& event : changes)
+    reports_.push({Report::Kind::event,
+                   slot.engine_id,
+                   &slot.cycle.design(),
+                   event,
+                   slot.sample.sequence,
+                   slot.sample.source_time_ns,
+                   {}});
 }
 
 void CycleThread::say_stopped() {

@@ -6,13 +6,15 @@
 
 #include "idl/dds/endpoint.h"
 #include "monitor/engine_table.h"
+#include "monitor/record/record_feed.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
 
 class CycleThread {
  public:
-  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports);
+  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
+              RecordFeed* records = nullptr);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
@@ -24,6 +26,7 @@ class CycleThread {
   void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
   void obey(const MonitorCommand& command);
   void watch_input();
+  void judge_recording(EngineSlot& slot);
   void report_events(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
 
@@ -33,6 +36,7 @@ class CycleThread {
   std::int64_t start_ns_;
   EngineTable& engines_;
   ReportQueue& reports_;
+  RecordFeed* records_;  ///< null: nothing is recorded
   std::uint64_t unknown_engine_samples_ = 0;
 
   wire::Reader<EngineSensors> sensors_;

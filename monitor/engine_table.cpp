@@ -1,5 +1,6 @@
 #include "monitor/engine_table.h"
 
+#include <algorithm>
 #include <map>
 
 #include "monitor/design/design_file.h"
@@ -22,6 +23,14 @@ EngineTable::EngineTable(const MonitorConfig& config) {
   if (config.design.empty()) return;
   while (slots_.size() < static_cast<std::size_t>(config.max_engines))
     slots_.push_back(std::make_unique<EngineSlot>(load(config.design), config.cycle));
+}
+
+std::vector<const design::Design*> EngineTable::designs() const {
+  std::vector<const design::Design*> designs;
+  for (const auto& slot : slots_)
+    if (std::find(designs.begin(), designs.end(), &slot->cycle.design()) == designs.end())
+      designs.push_back(&slot->cycle.design());
+  return designs;
 }
 
 EngineSlot* EngineTable::find(std::uint32_t engine_id, bool may_join) noexcept {

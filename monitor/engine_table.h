@@ -25,6 +25,8 @@ class EngineTable {
     for (auto& slot : slots_)
       if (slot->engine_id != 0) visit(*slot);
   }
+  /// The designs that fly, each once; at least one.
+  std::vector<const design::Design*> designs() const;
   std::size_t size() const noexcept { return slots_.size(); }
 
  private:

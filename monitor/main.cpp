@@ -7,9 +7,11 @@
 
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
+#include "deploy/files/file_error.h"
 #include "deploy/service/exit_code.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
+#include "monitor/offline.h"
 #include "monitor/service.h"
 
 int main(int argc, char** argv) {
@@ -41,8 +43,17 @@ int main(int argc, char** argv) {
   }
 
   try {
-    monitor::run_service(config, *engines);
+    if (config.offline.file.empty())
+      monitor::run_service(config, *engines);
+    else
+      monitor::run_offline(config, *engines);
     return service::exit_ok;
+  } catch (const files::FileError& e) {
+    std::cerr << "monitor: " << e.what() << '\n';
+    return service::exit_usage;
+  } catch (const config::ConfigError& e) {
+    std::cerr << "monitor: " << e.what() << '\n';
+    return service::exit_usage;
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';
     return service::exit_failed;

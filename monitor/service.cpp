@@ -2,8 +2,11 @@
 
 #include <spdlog/spdlog.h>
 
+#include <optional>
+
 #include "deploy/service/stop_signal.h"
 #include "monitor/cycle_thread.h"
+#include "monitor/record/recorder.h"
 #include "monitor/reporter.h"
 
 namespace ehm::monitor {
@@ -26,10 +29,12 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
+  std::optional<Recorder> recorder;
+  if (!config.record.file.empty()) recorder.emplace(config, engines);
   wire::Participant participant(participant_options(config));
   auto reports = std::make_unique<ReportQueue>();
   Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports);
-  CycleThread cycle(participant, config, engines, *reports);
+  CycleThread cycle(participant, config, engines, *reports, recorder ? &recorder->feed() : nullptr);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   while (!stop.requested()) cycle.run_once();

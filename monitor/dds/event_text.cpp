@@ -79,6 +79,9 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to",
                                     e.value, e.threshold)
                       : "the source has fallen silent, another may take over";
+    case wire::EventKind::recording:
+      return e.raised ? fmt::format("the recording is incomplete: {:.0f} rows are lost so far", e.value)
+                      : "the recording loses no rows any more";
   }
   return "unknown event";
 }
