@@ -203,13 +203,13 @@ void Schema::assign_text(Entry& entry, const std::string& text, const std::strin
 
 std::vector<Schema::KeyText> Schema::keys() const {
   std::vector<KeyText> list;
-  for (const auto& e : entries_) list.push_back({e.key, e.description, e.allowed_text(), e.default_text});
+  for (const auto& e : entries_) list.push_back({e.key, e.description, e.allowed_text(), e.default_text, e.alias});
   return list;
 }
 
 std::vector<Schema::KeyText> Schema::table_keys() const {
   std::vector<KeyText> list;
-  for (const auto& t : tables_) list.push_back({t.key, t.description, "", ""});
+  for (const auto& t : tables_) list.push_back({t.key, t.description, "", "", ""});
   return list;
 }
 

@@ -48,6 +48,7 @@ class Schema {
 
   struct KeyText {
     std::string name, description, allowed, default_text;
+    std::string alias;  ///< short flag; empty: none
   };
   std::vector<KeyText> keys() const;
   /// Name and description of the structured sections.

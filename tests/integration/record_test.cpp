@@ -45,10 +45,11 @@ class RecordTest : public PairTest {
     flags.insert(flags.end(), {"--record", folder_.path(name), "--monitor-status-period-s", "0.1"});
     return start_monitor(flags);
   }
-  /// Runs a program to its end, which must be good; returns what it said.
+  /// Runs a program to its end, which must be good; returns what it said. We listen meanwhile, to lose nothing.
   std::string run(const std::vector<std::string>& arguments) {
     Process process(arguments);
-    EXPECT_EQ(process.wait(seconds(30)), 0) << process.log();
+    EXPECT_TRUE(listener_.await([&] { return !process.running(); }, seconds(30)));
+    EXPECT_EQ(process.wait(seconds(1)), 0) << process.log();
     return process.log();
   }
   std::string offline(const std::string& in, const std::string& out, const std::vector<std::string>& flags = {}) {
