@@ -70,6 +70,14 @@ void declare_recording(Schema& schema, MonitorConfig& m) {
   schema.alias("offline.column_map", "--column-map");
 }
 
+void declare_checkpoint(Schema& schema, MonitorConfig& m) {
+  schema.text("checkpoint.directory", m.checkpoint_directory,
+              "existing folder for one checkpoint file per engine, from which a killed monitor resumes; empty is none");
+  schema.real("checkpoint.period_s", m.checkpoint_period_s, 0.1, 3600, "s", "time between checkpoints of an engine");
+  schema.real("checkpoint.max_age_s", m.checkpoint_max_age_s, 0.1, 1e6, "s",
+              "an older checkpoint, by our clock or by the source's, is not resumed: the filter starts cold");
+}
+
 void declare_tables(Schema& schema, MonitorConfig& m) {
   schema.tables(
       "engine", "which design flies for which engines: ids, design",
@@ -123,6 +131,7 @@ void declare(Schema& schema, MonitorConfig& m) {
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
   declare_recording(schema, m);
+  declare_checkpoint(schema, m);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", m.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
@@ -131,6 +140,13 @@ void declare(Schema& schema, MonitorConfig& m) {
                 "of the estimate topics; exclusive for redundant monitors, and their readers must ask for it");
   schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",
                  "of this monitor under exclusive ownership; the strongest live one is seen");
+  schema.real(
+      "dds.input_deadline_s", m.input_deadline_s, 0, 60, "s",
+      "ask sources for a sample of each engine so often (engine_sim offers 0.1) and raise an event when it stays "
+      "away; sources that do not offer it are excluded; 0 asks for nothing");
+  schema.real("dds.input_lease_s", m.input_lease_s, 0, 60, "s",
+              "ask sources for a sign of life so often (engine_sim offers 1) and raise an event when it stays away; "
+              "sources that do not offer it are excluded; 0 asks for nothing");
   schema.choice("log.level", m.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
   schema.text("metrics.listen", m.metrics_listen,
               "HOST:PORT of the HTTP endpoint /metrics, /health, /ready; port 0 is any free one, empty is none");

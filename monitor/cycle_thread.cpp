@@ -16,16 +16,19 @@ constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
 // Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing;
 // a source that says nothing at all for so long is lost all the same.
 constexpr double source_silence_s = 2.0;
+constexpr std::int64_t malformed_period_ns = 1'000'000'000;
+constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that must be over within a second
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
-                         ReportQueue& reports, RecordFeed* records)
+                         ReportQueue& reports, CheckpointKeeper* checkpoints, RecordFeed* records)
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
       start_ns_(monotonic_ns()),
       engines_(engines),
       reports_(reports),
+      checkpoints_(checkpoints),
       records_(records),
       sensors_(participant),
       commands_(participant),
@@ -55,14 +58,28 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
       reports_.push({Report::Kind::unknown_engine, sensors.engine_id(), nullptr, {}, unknown_engine_samples_, 0, {}});
     return;
   }
-  if (slot->received_ns == 0)
-    reports_.push({Report::Kind::new_engine, slot->engine_id, &slot->cycle.design(), {}, 0, 0, {}});
-  slot->received_ns = monotonic_ns();
   convert(sensors, slot->sample);
+  slot->sample.writer = sensors_.writer();
+  const std::uint64_t malformed = slot->cycle.counters().malformed;
+  if (slot->cycle.counters().received == 0) first_sample(*slot);
   const bool accepted = slot->cycle.process(slot->sample);
-  if (accepted) publish(*slot, slot->cycle.result(), arrival_ns);
+  if (accepted) {
+    slot->received_ns = monotonic_ns();
+    slot->last_sequence = slot->sample.sequence;
+    publish(*slot, slot->cycle.result(), arrival_ns);
+  }
   if (records_) records_->sample(*slot, accepted);
   report_events(*slot);
+  if (slot->cycle.counters().malformed != malformed) report_malformed(*slot);
+}
+
+void CycleThread::first_sample(EngineSlot& slot) {
+  reports_.push({Report::Kind::new_engine, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
+  if (!checkpoints_) return;
+  if (const auto event = checkpoints_->resume(slot)) {
+    report_event(slot, *event);
+    if (records_ && !event->raised) records_->marker(slot, recording::RowKind::resumed);
+  }
 }
 
 void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
@@ -86,7 +103,7 @@ void CycleThread::obey(const MonitorCommand& command) {
   engines_.for_each([&](EngineSlot& slot) {
     if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
     slot.cycle.reset();
-    if (records_) records_->marker(slot, recording::RowKind::reset, monotonic_ns());
+    if (records_) records_->marker(slot, recording::RowKind::reset);
     report_events(slot);
   });
 }
@@ -97,25 +114,40 @@ void CycleThread::watch_input() {
     const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
     const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
     if (!source_clock_ || age_s > source_silence_s) {
-      if (slot.cycle.no_input(age_s) && records_) records_->input_lost(slot, now_ns, now_ns - last_ns);
+      if (slot.cycle.no_input(age_s) && records_) records_->input_lost(slot, now_ns - last_ns);
       report_events(slot);
     }
     const StatusLevel level = level_of(slot);
     if (now_ns - slot.status_ns >= status_period_ns_ || static_cast<std::uint32_t>(level) != slot.status_level)
       report_status(slot, level, now_ns);
+    if (checkpoints_) checkpoints_->keep(slot, now_ns);
   });
 }
 
+void CycleThread::report_event(const EngineSlot& slot, const Event& event) {
+  reports_.push({Report::Kind::event,
+                 slot.engine_id,
+                 &slot.cycle.design(),
+                 event,
+                 slot.sample.sequence,
+                 slot.sample.source_time_ns,
+                 {}});
+}
+
 void CycleThread::report_events(EngineSlot& slot) {
-  for (const Event& event : slot.cycle.events())
-    reports_.push({Report::Kind::event,
-                   slot.engine_id,
-                   &slot.cycle.design(),
-                   event,
-                   slot.sample.sequence,
-                   slot.sample.source_time_ns,
-                   {}});
+  for (const Event& event : slot.cycle.events()) report_event(slot, event);
   slot.cycle.clear_events();
+}
+
+void CycleThread::report_malformed(EngineSlot& slot) {
+  // Said once a second: a broken source must not fill the log.
+  const std::int64_t now_ns = monotonic_ns();
+  if (slot.malformed_ns != 0 && now_ns - slot.malformed_ns < malformed_period_ns) return;
+  slot.malformed_ns = now_ns;
+  const Sample& s = slot.sample;
+  Report report{Report::Kind::malformed, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
+  report.malformed = {s.source_id, s.schema, s.sensor_count, s.actuator_count, slot.cycle.counters().malformed};
+  reports_.push(report);
 }
 
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
@@ -128,6 +160,10 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   report.status.unknown_engine_samples(unknown_engine_samples_);
   report.status.reports_lost(reports_.overflow());
   report.status.records_lost(records_ ? records_->lost() : 0);
+  if (checkpoints_) {
+    report.status.checkpoints_written(checkpoints_->writer().written());
+    report.status.checkpoints_failed(checkpoints_->writer().failed());
+  }
   reports_.push(report);
   slot.status_ns = now_ns;
   slot.status_received = slot.cycle.counters().received;
@@ -141,18 +177,13 @@ void CycleThread::judge_recording(EngineSlot& slot) {
   slot.losing_records.set(lost != slot.status_records_lost,
                           {wire::EventKind::recording, 0, false, static_cast<double>(lost), 0.0, 0}, changes);
   slot.status_records_lost = lost;
-  for (const Event& event : changes)
-    reports_.push({Report::Kind::event,
-                   slot.engine_id,
-                   &slot.cycle.design(),
-                   event,
-                   slot.sample.sequence,
-                   slot.sample.source_time_ns,
-                   {}});
+  for (const Event& event : changes) report_event(slot, event);
 }
 
 void CycleThread::say_stopped() {
   engines_.for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
+  const std::int64_t limit_ns = monotonic_ns() + last_checkpoints_ns;
+  if (checkpoints_) engines_.for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });
 }
 
 }  // namespace ehm::monitor

@@ -6,6 +6,7 @@
 
 #include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
+#include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/engine_table.h"
 #include "monitor/record/record_feed.h"
 #include "monitor/report.h"
@@ -14,12 +15,13 @@ namespace ehm::monitor {
 
 class CycleThread {
  public:
+  /// `checkpoints` and `records` may be null: none are kept then.
   CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
-              RecordFeed* records = nullptr);
+              CheckpointKeeper* checkpoints, RecordFeed* records);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
-  /// Tells every engine's subscribers that this monitor stops in order.
+  /// Tells every engine's subscribers that this monitor stops in order, and keeps a last checkpoint of each.
   void say_stopped();
   /// Grows with every turn and every sample, at least 60 times a second.
   const service::TurnCounter& turns() const { return turns_; }
@@ -30,7 +32,10 @@ class CycleThread {
   void obey(const MonitorCommand& command);
   void watch_input();
   void judge_recording(EngineSlot& slot);
+  void first_sample(EngineSlot& slot);
+  void report_event(const EngineSlot& slot, const Event& event);
   void report_events(EngineSlot& slot);
+  void report_malformed(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
 
   std::uint32_t source_id_;
@@ -39,7 +44,8 @@ class CycleThread {
   std::int64_t start_ns_;
   EngineTable& engines_;
   ReportQueue& reports_;
-  RecordFeed* records_;  ///< null: nothing is recorded
+  CheckpointKeeper* checkpoints_;
+  RecordFeed* records_;
   std::uint64_t unknown_engine_samples_ = 0;
   service::TurnCounter turns_;
 

@@ -9,6 +9,7 @@
 #include "deploy/config/schema.h"
 #include "deploy/files/file_error.h"
 #include "deploy/service/exit_code.h"
+#include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
 #include "monitor/offline.h"
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
     schema.load(line.file);
     monitor::finish_config(config);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
+    if (!config.checkpoint_directory.empty()) monitor::require_writable_folder(config.checkpoint_directory);
     engines = std::make_unique<monitor::EngineTable>(config);
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';

@@ -15,11 +15,13 @@
 #include "monitor/checks/sample_check.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/sensor_check.h"
+#include "monitor/cycle_state.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/estimation/tuner_filter.h"
 #include "monitor/judge/events.h"
 #include "monitor/judge/limit_watch.h"
+#include "monitor/judge/second_source_watch.h"
 #include "monitor/judge/shift_detector.h"
 #include "monitor/judge/validity.h"
 #include "monitor/options.h"
@@ -64,6 +66,13 @@ class MonitorCycle {
   /// Cold start of the filter, by an operator's order. Real-time safe: yes.
   void reset() noexcept;
 
+  /// What a successor needs to go on from here. False, and nothing written, without an honest estimate. Real-time safe:
+  /// yes.
+  bool snapshot(CycleState& state) const noexcept;
+  /// Goes on from `state` with the sample that is to be processed next; call on a cycle that has seen none, just before
+  /// process. Refused, nothing is changed. Real-time safe: yes.
+  Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
+
   const estimation::TunerFilter& filter() const noexcept { return filter_; }
   const estimation::ErrorPropagation& error() const noexcept { return error_; }
   const design::Design& design() const noexcept { return *design_; }
@@ -91,6 +100,7 @@ class MonitorCycle {
   void readmit() noexcept;
   void judge() noexcept;
   std::uint32_t estimate_flags() const noexcept;
+  void fly_blind_to(const Sample& next, std::uint64_t sequence) noexcept;
 
   std::shared_ptr<const design::Design> design_;
   CycleOptions options_;
@@ -113,7 +123,8 @@ class MonitorCycle {
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;
-  Condition no_design_, input_lost_, second_source_;
+  Condition no_design_, input_lost_;
+  SecondSourceWatch second_source_;
   EventList events_;
   CycleCounters counters_;
   CycleResult result_;

@@ -97,7 +97,6 @@ class OfflineRun {
 
   void take(const Row& row) {
     EngineSlot& slot = slot_of(row);
-    slot.received_ns = row.a.received_ns;
     Row result;
     if (row.kind() == RowKind::sample) {
       sample_of(row, slot.sample);
@@ -107,9 +106,10 @@ class OfflineRun {
       compare(row, result);
     } else {
       obey_marker(row, slot);
-      fill_marker(slot, row.kind(), row.a.received_ns, row.a.age_ns, result);
+      fill_marker(slot, row.kind(), row.a.age_ns, result);
     }
     lost_ = row.a.lost_before;
+    result.a.received_ns = row.a.received_ns;
     result.a.lost_before = row.a.lost_before;
     writer_->append(result, writer_->design_index(slot.cycle.design().hash));
     if (writer_->pending() >= commit_rows) writer_->commit(false);

@@ -19,25 +19,12 @@ const std::array<DoubleTable, 9>& double_tables() {
 }
 
 const std::array<Channel, identity_columns>& identity_channels() {
-  static const std::array<Channel, identity_columns> channels{{{"unit", "-"},
-                                                               {"sequence", "-"},
-                                                               {"source_time_ns", "ns"},
-                                                               {"received_ns", "ns"},
-                                                               {"kind", "-"},
-                                                               {"age_ns", "ns"},
-                                                               {"schema", "-"},
-                                                               {"source_id", "-"},
-                                                               {"sensor_valid", "bits"},
-                                                               {"sensor_count", "-"},
-                                                               {"actuator_count", "-"},
-                                                               {"accepted", "-"},
-                                                               {"estimates", "-"},
-                                                               {"flags", "bits"},
-                                                               {"sensors_used", "bits"},
-                                                               {"fused", "bits"},
-                                                               {"rejected", "bits"},
-                                                               {"design", "-"},
-                                                               {"lost_before", "-"}}};
+  static const std::array<Channel, identity_columns> channels{
+      {{"unit", "-"},     {"sequence", "-"},        {"source_time_ns", "ns"}, {"received_ns", "ns"},
+       {"kind", "-"},     {"age_ns", "ns"},         {"schema", "-"},          {"source_id", "-"},
+       {"writer", "-"},   {"sensor_valid", "bits"}, {"sensor_count", "-"},    {"actuator_count", "-"},
+       {"accepted", "-"}, {"estimates", "-"},       {"flags", "bits"},        {"sensors_used", "bits"},
+       {"fused", "bits"}, {"rejected", "bits"},     {"design", "-"},          {"lost_before", "-"}}};
   return channels;
 }
 

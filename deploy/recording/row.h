@@ -34,6 +34,7 @@ struct Identity {
   std::int64_t age_ns = 0;       ///< RowKind::input_lost: of the last sample
   std::int64_t schema = 0;
   std::int64_t source_id = 0;
+  std::int64_t writer = 0;  ///< tells writers with the same source_id apart; 0: not known
   std::int64_t sensor_valid = 0;
   std::int64_t sensor_count = 0;
   std::int64_t actuator_count = 0;
@@ -46,7 +47,7 @@ struct Identity {
   std::int64_t design = 0;       ///< row of design_hash
   std::int64_t lost_before = 0;  ///< rows that the queue refused since the start, before this one
 };
-inline constexpr std::size_t identity_columns = 19;
+inline constexpr std::size_t identity_columns = 20;
 static_assert(sizeof(Identity) == identity_columns * sizeof(std::int64_t));
 
 template <std::size_t Size>

@@ -5,6 +5,7 @@
 
 #include <atomic>
 
+#include "monitor/realtime/clock.h"
 #include "monitor/realtime/spsc_queue.h"
 #include "monitor/record/record_row.h"
 
@@ -25,15 +26,15 @@ class RecordFeed {
     fill_row(slot, accepted, next_.row);
     push(slot);
   }
-  /// After the slot's cycle was told that no sample has come for `age_ns`, and took that as a loss. Once a sample:
-  /// telling it again changes nothing.
-  void input_lost(EngineSlot& slot, std::int64_t now_ns, std::int64_t age_ns) noexcept {
-    if (slot.recorded_loss_ns == slot.received_ns) return;
-    slot.recorded_loss_ns = slot.received_ns;
-    marker(slot, recording::RowKind::input_lost, now_ns, age_ns);
+  /// After the slot's cycle was told that no sample has come for `age_ns`, and took that as a loss. Noted once between
+  /// two samples, even if neither was in order: telling it again changes nothing.
+  void input_lost(EngineSlot& slot, std::int64_t age_ns) noexcept {
+    if (slot.recorded_loss_after == slot.cycle.counters().received) return;
+    slot.recorded_loss_after = slot.cycle.counters().received;
+    marker(slot, recording::RowKind::input_lost, age_ns);
   }
-  void marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t now_ns, std::int64_t age_ns = 0) noexcept {
-    fill_marker(slot, kind, now_ns, age_ns, next_.row);
+  void marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t age_ns = 0) noexcept {
+    fill_marker(slot, kind, age_ns, next_.row);
     push(slot);
   }
 
@@ -45,6 +46,7 @@ class RecordFeed {
 
  private:
   void push(const EngineSlot& slot) noexcept {
+    next_.row.a.received_ns = monotonic_ns();
     next_.row.a.lost_before = static_cast<std::int64_t>(queue_.overflow());
     next_.design = &slot.cycle.design();
     queue_.push(next_);

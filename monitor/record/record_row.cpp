@@ -26,6 +26,7 @@ void fill_sample(const Sample& sample, Row& row) noexcept {
   row.a.source_time_ns = sample.source_time_ns;
   row.a.schema = sample.schema;
   row.a.source_id = sample.source_id;
+  row.a.writer = static_cast<std::int64_t>(sample.writer);
   row.a.sensor_valid = sample.sensor_valid;
   row.a.sensor_count = sample.sensor_count;
   row.a.actuator_count = sample.actuator_count;
@@ -64,17 +65,14 @@ std::vector<recording::Channel> described(const std::vector<estimation::Channel>
 void fill_row(const EngineSlot& slot, bool accepted, Row& row) noexcept {
   row = Row{};
   row.a.unit = slot.engine_id;
-  row.a.received_ns = slot.received_ns;
   row.a.accepted = accepted ? 1 : 0;
   fill_sample(slot.sample, row);
   if (accepted) fill_result(slot.cycle, row);
 }
 
-void fill_marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t received_ns, std::int64_t age_ns,
-                 Row& row) noexcept {
+void fill_marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t age_ns, Row& row) noexcept {
   row = Row{};
   row.a.unit = slot.engine_id;
-  row.a.received_ns = received_ns;
   row.a.kind = static_cast<std::int64_t>(kind);
   row.a.age_ns = age_ns;
   row.a.sequence = static_cast<std::int64_t>(slot.sample.sequence);
@@ -84,6 +82,7 @@ void fill_marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t r
 void sample_of(const Row& row, Sample& sample) noexcept {
   sample.schema = static_cast<std::uint32_t>(row.a.schema);
   sample.source_id = static_cast<std::uint32_t>(row.a.source_id);
+  sample.writer = static_cast<std::uint64_t>(row.a.writer);
   sample.sequence = static_cast<std::uint64_t>(row.a.sequence);
   sample.source_time_ns = row.a.source_time_ns;
   sample.flight = {row.w[0], row.w[1], row.w[2]};

@@ -6,11 +6,11 @@
 
 namespace ehm::monitor {
 
-/// The row of the slot's latest sample; estimates only if it was `accepted` and led to some. Real-time safe: yes.
+/// The row of the slot's latest sample; estimates only if it was `accepted` and led to some. When it was received is
+/// for the caller to fill in. Real-time safe: yes.
 void fill_row(const EngineSlot& slot, bool accepted, recording::Row& row) noexcept;
 /// A marker of the slot's engine. Real-time safe: yes.
-void fill_marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t received_ns, std::int64_t age_ns,
-                 recording::Row& row) noexcept;
+void fill_marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t age_ns, recording::Row& row) noexcept;
 /// The sample that a row was made of.
 void sample_of(const recording::Row& row, Sample& sample) noexcept;
 
