@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "deploy/files/csv_table.h"
 #include "deploy/recording/recording_rows.h"
 #include "tests/integration/engine_samples.h"
 #include "tests/integration/pair.h"
@@ -236,6 +237,93 @@ TEST_F(RecordTest, AFullDiskEndsTheRecordingAndNotTheMonitor) {
   }));
   EXPECT_EQ(listener_.health.size(), 4000u);  // the estimates went on
   EXPECT_THAT(monitor.log(), HasSubstr("recording has ended: " + folder_.path("full.h5")));
+}
+
+/// A table of the flight's samples as somebody else would write it, in his units, and the map that reads it.
+class CsvTest : public RecordTest {
+ protected:
+  std::string csv(const std::vector<Row>& samples, const recording::Channels& channels) {
+    std::string text = "engine,time_s,altitude_m,mach,delta_isa_k";
+    for (const auto& channel : channels.actuators) text += "," + channel.name;
+    for (const auto& channel : channels.sensors) text += "," + channel.name;
+    for (const Row& row : samples) {
+      text += "\n1," + files::shortest(1e-9 * static_cast<double>(row.a.source_time_ns - samples[0].a.source_time_ns));
+      for (std::size_t i = 0; i < 3 + channels.actuators.size(); ++i) text += "," + files::shortest(row.w[i]);
+      for (std::size_t i = 0; i < channels.sensors.size(); ++i)
+        text += "," + (row.a.sensor_valid >> i & 1 ? files::shortest(row.x_s[i]) : std::string("nan"));
+    }
+    return folder_.file("flight.csv", text + "\n");
+  }
+  std::string map(const recording::Channels& channels) {
+    std::string text = "[file]\nseparator = \"comma\"\nheader = true\nengine_id_column = 1\ntime_column = \"time_s\"\n";
+    const auto add = [&](const std::string& table, const std::string& name) {
+      text += "[[" + table + "]]\nname = \"" + name + "\"\ncolumn = \"" + name + "\"\n";
+    };
+    for (const char* name : {"altitude_m", "mach", "delta_isa_k"}) add("flight", name);
+    for (const auto& channel : channels.actuators) add("actuator", channel.name);
+    for (const auto& channel : channels.sensors) add("sensor", channel.name);
+    return folder_.file("map.toml", text);
+  }
+};
+
+TEST_F(CsvTest, ACsvFileGivesTheEstimatesOfTheFlightThatItHolds) {
+  auto monitor = record("online.h5");
+  fly("15");
+  ASSERT_TRUE(await_received(1, 1000));
+  stop(*monitor);
+  const auto channels = recording::RecordingRows(folder_.path("online.h5")).info().channels;
+  const auto samples = rows_of(read_rows(folder_.path("online.h5")), 1);
+  csv(samples, channels);
+  const std::string map_file = map(channels);
+  EXPECT_THAT(offline("flight.csv", "offline.h5", {"--column-map", map_file}),
+              HasSubstr("1000 samples, 1000 with estimates"));
+  const auto again = rows_of(read_rows(folder_.path("offline.h5")), 1);
+  ASSERT_EQ(again.size(), samples.size());
+  for (std::size_t k = 0; k < again.size(); ++k) {
+    ASSERT_TRUE(same_bits(again[k].t, samples[k].t, again[k].t.size())) << k;
+    ASSERT_TRUE(same_bits(again[k].t_sigma, samples[k].t_sigma, again[k].t.size())) << k;
+  }
+
+  monitor = record("replayed.h5");
+  const std::string said =
+      run({simulator_program(), "--replay", folder_.path("flight.csv"), "--column-map", map_file, "--rate", "max",
+           "--dds-domain", std::to_string(domain_), "--run-wait-for-monitors", "2"});
+  EXPECT_THAT(said, HasSubstr("1000 samples of 1 engine(s) published"));
+  ASSERT_TRUE(await_received(1, 1000));
+  stop(*monitor);
+  const auto replayed = rows_of(read_rows(folder_.path("replayed.h5")), 1);
+  ASSERT_EQ(replayed.size(), samples.size());
+  EXPECT_TRUE(same_bits(replayed.back().t, samples.back().t, samples.back().t.size()));
+}
+
+TEST_F(RecordTest, WhatCannotBeReadOrWrittenIsNamedBeforeAnythingStarts) {
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& message) {
+    Process process(arguments);
+    EXPECT_EQ(process.wait(seconds(20)), 2) << process.log();
+    EXPECT_THAT(process.log(), HasSubstr(message));
+  };
+  const std::vector<std::string> monitor{monitor_program(), "--monitor-design", design_file()};
+  const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  const std::string text = folder_.file("text.csv", "1 2 3\n"), out = folder_.path("out.h5");
+  refused(with(monitor, {"--offline", "nowhere.h5", "--out", out}), "nowhere.h5: no such file");
+  refused(with(monitor, {"--offline", text, "--out", out}), "text.csv: cannot read this as a recording");
+  refused(with(monitor, {"--offline", text}), "'offline.file' and 'offline.out' need each other");
+  refused(with(monitor, {"--record", folder_.path("no/such/x.h5")}), "x.h5: cannot create the recording");
+  refused(with(monitor, {"--record-max-mb", "0"}), "'record.max_mb' is 0, allowed is a whole number from 1");
+  refused({simulator_program(), "--replay", "nowhere.h5"}, "nowhere.h5: no such file");
+  refused({simulator_program(), "--replay", text, "--column-map", "nowhere.toml"}, "nowhere.toml: no such file");
+  const std::string map =
+      folder_.file("map.toml",
+                   "[file]\nseparator = \"blank\"\nheader = false\nengine_id_column = 1\nsample_time_s = 0.015\n"
+                   "[[flight]]\nname = \"altitude_m\"\nvalue = 0\n[[flight]]\nname = \"mach\"\nvalue = 0\n"
+                   "[[flight]]\nname = \"delta_isa_k\"\nvalue = 0\n[[actuator]]\nname = \"fuel_flow\"\ncolumn = 2\n"
+                   "[[sensor]]\nname = \"T24\"\ncolumn = 3\n");
+  refused(with(monitor, {"--offline", text, "--column-map", map, "--out", out}),
+          "has the actuators fuel_flow, the design needs fuel_flow, VSV, VBV");
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 }  // namespace
