@@ -211,18 +211,18 @@ TEST_F(RecordTest, AKilledMonitorLeavesAReadableRecordingAndTheNextGoesOnBesideI
   monitor->signal(SIGKILL);
   ASSERT_EQ(monitor->wait(seconds(5)), 128 + SIGKILL);
   EXPECT_THAT(offline("killed.h5", "offline.h5"), HasSubstr(" identical to the bit, 0 different"));
-  EXPECT_THAT(
-      run({"/usr/bin/python3", EHM_SOURCE_DIR "/tests/integration/read_recording.py", folder_.path("killed.h5")}),
-      HasSubstr("T30"));
+  EXPECT_THAT(run({"/usr/bin/python3", EHM_SOURCE_DIR "/tests/integration/recording/read_recording.py",
+                   folder_.path("killed.h5")}),
+              HasSubstr("T30"));
 
   monitor = record("killed.h5");
   ASSERT_TRUE(listener_.await([&] { return std::filesystem::exists(folder_.path("killed.0002.h5")); }));
   fly("1.5");
   stop(*monitor);
   EXPECT_EQ(rows_of(read_rows(folder_.path("killed.0002.h5")), 1).size(), 100u);
-  EXPECT_THAT(
-      run({"/usr/bin/python3", EHM_SOURCE_DIR "/tests/integration/read_recording.py", folder_.path("killed.0002.h5")}),
-      HasSubstr("engines: [1]"));
+  EXPECT_THAT(run({"/usr/bin/python3", EHM_SOURCE_DIR "/tests/integration/recording/read_recording.py",
+                   folder_.path("killed.0002.h5")}),
+              HasSubstr("engines: [1]"));
 }
 
 TEST_F(RecordTest, AFullDiskEndsTheRecordingAndNotTheMonitor) {
