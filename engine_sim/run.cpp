@@ -31,6 +31,7 @@ wire::ParticipantOptions participant_options(const SimConfig& config) {
   options.profiles_file = config.profiles_file;
   options.profile = config.profile;
   options.partition = config.partition;
+  options.security = config.security;
   options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
   return options;
 }

@@ -28,7 +28,7 @@ struct MonitorConfig {
   CycleOptions cycle;
 
   std::int64_t domain = 0;
-  std::string partition, profiles_file, profile = "ehm_participant";
+  std::string partition, profiles_file, profile = "ehm_participant", security;
   std::string ownership = "shared";
   std::int64_t ownership_strength = 1;
   std::string log_level = "info";

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "deploy/service/stop_signal.h"
+#include "idl/dds/middleware_log.h"
 #include "monitor/cycle_thread.h"
 #include "monitor/reporter.h"
 
@@ -17,8 +18,11 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
   options.profiles_file = config.profiles_file;
   options.profile = config.profile;
   options.partition = config.partition;
+  options.security = config.security;
   options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
   options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
+  options.on_stranger = [](const std::string& what) { spdlog::warn("{}", what); };
+  wire::hear_middleware([](const wire::MiddlewareMessage& m) { spdlog::warn("[{}] {} {}", m.category, m.error, m.text); });
   return options;
 }
 

@@ -18,7 +18,7 @@ class Writer : private eprosima::fastdds::dds::DataWriterListener {
         participant.topic(Topic<T>::name, eprosima::fastdds::dds::TypeSupport(new typename Topic<T>::PubSubType()));
     writer_ = participant.publisher()->create_datawriter(
         topic, writer_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy), this);
-    if (!writer_) throw DdsError(std::string("no DDS writer on topic '") + Topic<T>::name + "'");
+    if (!writer_) throw participant.refused("writer", Topic<T>::name);
   }
   ~Writer() override {
     writer_->set_listener(nullptr);
@@ -64,7 +64,7 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
          << eprosima::fastdds::dds::StatusMask::requested_incompatible_qos();
     reader_ = participant.subscriber()->create_datareader(
         topic, reader_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy), this, mask);
-    if (!reader_) throw DdsError(std::string("no DDS reader on topic '") + Topic<T>::name + "'");
+    if (!reader_) throw participant.refused("reader", Topic<T>::name);
     reader_->get_statuscondition().set_enabled_statuses(eprosima::fastdds::dds::StatusMask::data_available());
   }
   ~Reader() override {
