@@ -9,6 +9,8 @@ namespace {
 const estimation::Channel* channel_of(const Event& e, const estimation::LinearModel& model) {
   switch (e.kind) {
     case wire::EventKind::sensor_fault:
+    case wire::EventKind::ambiguous_fault:
+    case wire::EventKind::slow_bias:
       return &model.sensors.at(e.channel);
     case wire::EventKind::health_shift:
     case wire::EventKind::health_limit:
@@ -79,6 +81,23 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to",
                                     e.value, e.threshold)
                       : "the source has fallen silent, another may take over";
+    case wire::EventKind::ambiguous_fault:
+      return e.raised ? fmt::format("something changed abruptly, and sensor or component cannot be told (likeliest {})",
+                                    c->name)
+                      : "the abrupt change is settled";
+    case wire::EventKind::slow_bias:
+      return e.raised ? fmt::format("sensor {} drifts, by {:+.4g} {}", c->name, e.value, c->unit)
+                      : fmt::format("sensor {} has stopped drifting", c->name);
+    case wire::EventKind::input_deadline:
+      return e.raised ? "samples miss their deadline" : "samples keep their deadline again";
+    case wire::EventKind::input_liveliness:
+      return e.raised ? "the source of the samples is no longer alive" : "the source of the samples is alive again";
+    case wire::EventKind::checkpoint:
+    case wire::EventKind::configuration:
+    case wire::EventKind::incompatible_qos:
+    case wire::EventKind::recording:
+    case wire::EventKind::security:
+      break;  // their messages are made where they happen, off the cycle
   }
   return "unknown event";
 }

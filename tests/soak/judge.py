@@ -1,0 +1,138 @@
+"""What a soak has seen, against its criteria."""
+
+SENSOR_FAULT, HEALTH_SHIFT, NO_DESIGN, AMBIGUOUS = 1, 2, 8, 11
+OUTCOMES = ("processed", "withheld", "duplicated", "reordered", "foreign", "malformed")
+DOWN = ("kill ",)
+
+
+def percentile(values, share):
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(share * len(ordered)))] if ordered else 0.0
+
+
+class Record:
+    """Everything that was seen, in order."""
+
+    def __init__(self):
+        self.seconds, self.statuses, self.gaps, self.events = [], [], [], []
+        self.usage = {}  # service -> [(wall, t, life, usage)]
+        self.disturbances, self.unexplained, self.unexpected_exits = [], [], []
+        self.doubles, self.restarts_answered = 0, []
+
+    def disturbance_at(self, t):
+        for d in reversed(self.disturbances):
+            if d.covers(t):
+                return d
+            if d.end_t is not None and d.end_t < t - 120.0:
+                return None
+        return None
+
+    def hear_event(self, line):
+        t = line["t"] - line["ago_s"]
+        self.events.append(dict(line, at=t))
+        d = self.disturbance_at(t)
+        if d:
+            d.events.append(dict(line, at=t))
+        if line["raised"] and (d is None or line["kind"] not in d.allowed):
+            self.unexplained.append(dict(line, at=t, during=d.kind if d else "calm"))
+
+
+def counted_losses(statuses):
+    """Samples that the monitor counted as lost, over all of its lives."""
+    total, last = 0, 0
+    for s in statuses:
+        total += s["lost"] - last if s["lost"] >= last else s["lost"]
+        last = s["lost"]
+    return total
+
+
+def unaccounted(record):
+    missing = sum(g["to"] - g["from"] + 1 for g in record.gaps
+                  if not (g["during"] or "").startswith(DOWN))
+    return max(0, missing - counted_losses(record.statuses))
+
+
+def mismatches(record):
+    return sum(1 for s in record.statuses if s["received"] != sum(s[k] for k in OUTCOMES))
+
+
+def growth(record, quantity, warm_up_s):
+    worst = 0.0
+    for samples in record.usage.values():
+        lives = {}
+        for wall, _t, life, usage in samples:
+            lives.setdefault(life, []).append((wall, usage[quantity]))
+        for values in lives.values():
+            warm = [v for wall, v in values if wall - values[0][0] >= warm_up_s]
+            if warm:
+                worst = max(worst, max(warm) - warm[0])
+    return worst
+
+
+def first(d, kinds):
+    return next((e for e in d.events if e["raised"] and e["kind"] in kinds), None)
+
+
+def detection(record):
+    """Of abrupt faults of 5 sigma and more: delays, found, rightly named."""
+    delays, right, cases = [], 0, 0
+    for d in record.disturbances:
+        if not d.about.get("must_find") or d.end_t is None:
+            continue
+        cases += 1
+        e = first(d, {SENSOR_FAULT, AMBIGUOUS, HEALTH_SHIFT})
+        d.about["found"] = e
+        if e is None:
+            continue
+        delays.append(e["at"] - d.start_t)
+        right += e["kind"] == AMBIGUOUS or (e["kind"] == SENSOR_FAULT and e["channel"] == d.about["channel"])
+    return cases, delays, right
+
+
+def components_called_sensors(record):
+    steps = [d for d in record.disturbances if d.kind == "component step" and d.end_t is not None]
+    wrong = sum(1 for d in steps if (first(d, {SENSOR_FAULT, HEALTH_SHIFT, AMBIGUOUS}) or {}).get("kind") == SENSOR_FAULT)
+    return wrong / len(steps) if steps else 0.0
+
+
+def within_3(record):
+    values = inside = 0
+    for s in record.seconds:
+        if record.disturbance_at(s["t"]) is None:
+            for block in (s["health"], s["auxiliary"]):
+                values += block["values"]
+                inside += block["within_3"]
+    return inside / values if values else 1.0
+
+
+def measure(record, warm_up_s):
+    cases, delays, right = detection(record)
+    found = sum(1 for delay in delays if delay <= 3.0)
+    return {
+        "unaccounted_samples": unaccounted(record),
+        "double_estimates": record.doubles,
+        "counter_mismatches": mismatches(record),
+        "unexplained_events": len(record.unexplained),
+        "unexpected_exits": len(record.unexpected_exits),
+        "rss_growth_mb": growth(record, "rss_mb", warm_up_s),
+        "fd_growth": growth(record, "fds", warm_up_s),
+        "latency_p999_ms": max((1e-3 * s["latency_p999_us"] for s in record.statuses), default=0.0),
+        "sensor_fault_delay_p95_s": percentile(delays, 0.95),
+        "sensor_faults_found": found / cases if cases else 1.0,
+        "sensor_faults_named_right": right / len(delays) if delays else 1.0,
+        "component_steps_called_sensor_faults": components_called_sensors(record),
+        "estimates_within_3_sigma": within_3(record),
+        "restarts_answered": sum(record.restarts_answered) / len(record.restarts_answered)
+        if record.restarts_answered else 1.0,
+    }
+
+
+def verdicts(measured, criteria):
+    """(name, measured, limit as text, held) by criterion."""
+    rows = []
+    for name, value in measured.items():
+        limit = criteria[name]
+        held = value <= limit["max"] if "max" in limit else value >= limit["min"]
+        text = f"at most {limit['max']}" if "max" in limit else f"at least {limit['min']}"
+        rows.append((name, value, text, held))
+    return rows

@@ -1,0 +1,40 @@
+#pragma once
+// What a peer that means ill, or is simply broken, may put on the wire in place of a sound sensor sample. Each kind
+// spoils one thing in an otherwise plausible sample, drawn from the caller's generator.
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "engine_health.h"
+
+namespace ehm::test {
+
+enum class Attack : std::size_t {
+  schema,    ///< another wire schema
+  counts,    ///< sensor and actuator counts that do not fit, up to the largest integer
+  flight,    ///< flight condition not finite
+  actuator,  ///< actuators not finite or huge
+  sensor,    ///< sensors not finite, huge or denormal
+  engine,    ///< engine ids that nobody serves
+  sequence,  ///< sequence numbers at random and at their ends
+  time,      ///< source times at random and at their ends
+  bits,      ///< every field but the engine id is noise
+  command    ///< MonitorCommand of unknown kind or schema
+};
+
+struct AttackName {
+  Attack attack;
+  const char* name;
+};
+const std::vector<AttackName>& attack_names();
+std::optional<Attack> attack_of(const std::string& name);
+
+/// Spoils the sample; Attack::command leaves it alone.
+void spoil(EngineSensors& sample, Attack attack, std::mt19937_64& random);
+/// An order that no monitor should obey.
+MonitorCommand bad_command(std::uint32_t engine_id, std::mt19937_64& random);
+
+}  // namespace ehm::test
