@@ -7,6 +7,7 @@
 #include <optional>
 #include <thread>
 
+#include "deploy/service/security_watch.h"
 #include "engine_sim/dds/command_reader.h"
 #include "engine_sim/dds/lockstep.h"
 #include "engine_sim/dds/sim_publisher.h"
@@ -74,7 +75,11 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   const double rate = config.rate_factor();
   const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
 
-  wire::Participant participant(participant_options(config));
+  auto options = participant_options(config);
+  auto incidents = service::hear_incidents(options);
+  wire::Participant participant(std::move(options));
+  std::optional<service::SecurityWatch> security;
+  if (!config.security.empty()) security.emplace(participant, std::move(incidents), service::log_incident);
   SimPublisher publisher(participant, scenario);
   CommandReader commands(participant, engine_id);
   std::optional<Lockstep> lockstep;

@@ -1,7 +1,5 @@
 #include "monitor/security_events.h"
 
-#include <spdlog/spdlog.h>
-
 #include <chrono>
 
 #include "idl/wire_values.h"
@@ -12,11 +10,10 @@ SecurityEvents::SecurityEvents(wire::Participant& participant, std::uint32_t sou
                                std::shared_ptr<service::IncidentBox> box)
     : source_id_(source_id),
       events_(participant),
-      watch_(participant, std::move(box),
-             [this](const std::string& text, std::uint64_t times) { say(text, times); }) {}
+      watch_(participant, std::move(box), [this](const std::string& text, std::uint64_t times) { say(text, times); }) {}
 
 void SecurityEvents::say(const std::string& text, std::uint64_t times) {
-  spdlog::warn("security: {} ({} times)", text, times);
+  service::log_incident(text, times);
   incidents_ += times;
   HealthEvent event;
   event.engine_id(0);
@@ -25,9 +22,9 @@ void SecurityEvents::say(const std::string& text, std::uint64_t times) {
   event.schema(wire::schema_version);
   event.raised(1);
   event.sequence_number(incidents_);
-  event.source_time_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(
-                           std::chrono::system_clock::now().time_since_epoch())
-                           .count());
+  event.source_time_ns(
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count());
   event.value(static_cast<double>(times));
   event.message() = text.c_str();
   events_.write(event);

@@ -2,10 +2,12 @@
 
 #include <spdlog/spdlog.h>
 
+#include <optional>
+
 #include "deploy/service/stop_signal.h"
-#include "idl/dds/middleware_log.h"
 #include "monitor/cycle_thread.h"
 #include "monitor/reporter.h"
+#include "monitor/security_events.h"
 
 namespace ehm::monitor {
 
@@ -21,8 +23,6 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
   options.security = config.security;
   options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
   options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
-  options.on_stranger = [](const std::string& what) { spdlog::warn("{}", what); };
-  wire::hear_middleware([](const wire::MiddlewareMessage& m) { spdlog::warn("[{}] {} {}", m.category, m.error, m.text); });
   return options;
 }
 
@@ -30,7 +30,12 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
-  wire::Participant participant(participant_options(config));
+  auto options = participant_options(config);
+  auto incidents = service::hear_incidents(options);
+  wire::Participant participant(std::move(options));
+  std::optional<SecurityEvents> security;
+  if (!config.security.empty())
+    security.emplace(participant, static_cast<std::uint32_t>(config.source_id), std::move(incidents));
   auto reports = std::make_unique<ReportQueue>();
   Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports);
   CycleThread cycle(participant, config, engines, *reports);

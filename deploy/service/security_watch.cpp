@@ -26,9 +26,11 @@ std::map<std::string, std::uint64_t> IncidentBox::take(std::uint64_t& dropped) {
 
 namespace {
 
-/// "topic not found in allow rule. (./src/cpp/...)": the middleware's source lines tell an operator nothing.
+/// "topic not found in allow rule. (./src/cpp/...:1247)": the middleware's source lines tell an operator nothing.
 std::string without_source_line(std::string text) {
-  if (const auto at = text.find(" (./src"); at != std::string::npos) text.erase(at);
+  if (const auto begin = text.find(" (./src"); begin != std::string::npos)
+    if (const auto end = text.find(')', begin); end != std::string::npos) text.erase(begin, end + 1 - begin);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
 }
 
@@ -49,6 +51,13 @@ std::shared_ptr<IncidentBox> hear_incidents(wire::ParticipantOptions& options) {
   options.on_stranger = [box](const std::string& text) { box->put(text); };
   options.on_middleware = [box](const wire::MiddlewareMessage& message) { sort(*box, message); };
   return box;
+}
+
+void log_incident(const std::string& text, std::uint64_t times) {
+  if (times > 1)
+    spdlog::warn("security: {} ({} times)", text, times);
+  else
+    spdlog::warn("security: {}", text);
 }
 
 SecurityWatch::SecurityWatch(wire::Participant& participant, std::shared_ptr<IncidentBox> box, Say say)

@@ -23,8 +23,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// Null where there is no such file; a file that is there and cannot be read is an error.
 File open_if_there(const std::string& path) {
   File file(std::fopen(path.c_str(), "r"), &std::fclose);
-  if (!file && errno != ENOENT)
-    throw DdsError("security file '" + path + "' cannot be read: " + std::strerror(errno));
+  if (!file && errno != ENOENT) throw DdsError("security file '" + path + "' cannot be read: " + std::strerror(errno));
   return file;
 }
 
@@ -74,6 +73,10 @@ std::vector<Property> security_properties(const std::string& directory) {
     throw DdsError("security file '" + directory +
                    "/cert.pem': the certificate has expired; make_security.sh --renew makes a new one");
   return properties;
+}
+
+void check_security(const std::string& directory) {
+  if (!directory.empty()) security_properties(directory);
 }
 
 }  // namespace ehm::wire

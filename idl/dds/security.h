@@ -15,6 +15,9 @@ namespace ehm::wire {
 /// The properties that switch on authentication (PKI-DH), access control and cryptography (AES-GCM-GMAC).
 std::vector<eprosima::fastrtps::rtps::Property> security_properties(const std::string& directory);
 
+/// Nothing if the directory is complete, or if none is given; throws what security_properties would.
+void check_security(const std::string& directory);
+
 /// Days until the certificate of this identity expires.
 double certificate_days_left(const std::string& directory);
 
