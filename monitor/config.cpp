@@ -4,6 +4,7 @@
 #include <set>
 
 #include "deploy/config/table_reader.h"
+#include "deploy/service/listen_address.h"
 
 namespace ehm::monitor {
 
@@ -115,6 +116,8 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",
                  "of this monitor under exclusive ownership; the strongest live one is seen");
   schema.choice("log.level", m.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
+  schema.text("metrics.listen", m.metrics_listen,
+              "HOST:PORT of the HTTP endpoint /metrics, /health, /ready; port 0 is any free one, empty is none");
   declare_tables(schema, m);
 }
 
@@ -122,6 +125,11 @@ void finish_config(const MonitorConfig& m) {
   if (m.design.empty() && m.engines.empty())
     throw ConfigError(
         "no design: set monitor.design (--monitor-design FILE) or an [[engine]] table; tuner_design makes the file");
+  try {
+    if (!m.metrics_listen.empty()) service::parse_listen_address(m.metrics_listen);
+  } catch (const std::invalid_argument& e) {
+    throw ConfigError(std::string("'metrics.listen' ") + e.what() + ", empty for none");
+  }
   std::set<std::int64_t> seen;
   for (const auto& e : m.engines)
     for (const auto id : e.ids)

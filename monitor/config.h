@@ -32,6 +32,7 @@ struct MonitorConfig {
   std::string ownership = "shared";
   std::int64_t ownership_strength = 1;
   std::string log_level = "info";
+  std::string metrics_listen = "127.0.0.1:9477";  ///< HOST:PORT; empty: none
 };
 
 /// Declares every key of `config`; load the schema, then call finish_config.

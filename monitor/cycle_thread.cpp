@@ -42,9 +42,11 @@ void CycleThread::run_once() {
   MonitorCommand command;
   while (commands_.take(command)) obey(command);
   watch_input();
+  turns_.turned();
 }
 
 void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
+  turns_.turned();
   EngineSlot* slot = engines_.find(sensors.engine_id(), sensors.schema() == wire::schema_version);
   if (!slot) {
     // Said once a thousand: a stray source must not fill the log.

@@ -4,6 +4,7 @@
 
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 
+#include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/engine_table.h"
 #include "monitor/report.h"
@@ -18,6 +19,8 @@ class CycleThread {
   void run_once();
   /// Tells every engine's subscribers that this monitor stops in order.
   void say_stopped();
+  /// Grows with every turn and every sample, at least 60 times a second.
+  const service::TurnCounter& turns() const { return turns_; }
 
  private:
   void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
@@ -34,6 +37,7 @@ class CycleThread {
   EngineTable& engines_;
   ReportQueue& reports_;
   std::uint64_t unknown_engine_samples_ = 0;
+  service::TurnCounter turns_;
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;

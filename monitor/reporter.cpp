@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "deploy/service/notify.h"
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/dds/event_text.h"
@@ -15,9 +16,10 @@ constexpr std::chrono::milliseconds poll{5};  // how late an event may be report
 constexpr double drain_s = 0.5;               // how long a stop waits for subscribers to hear the last status
 }  // namespace
 
-Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue)
+Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, StatusBoard& board)
     : source_id_(source_id),
       queue_(queue),
+      board_(board),
       events_(participant),
       status_(participant),
       descriptions_(participant),
@@ -37,6 +39,7 @@ void Reporter::run() {
     while (report_next()) {
     }
     report_overflow();
+    turns_.turned();
     if (!last) std::this_thread::sleep_for(poll);
   }
 }
@@ -49,11 +52,10 @@ bool Reporter::report_next() {
       report_event(report);
       break;
     case Report::Kind::status:
-      status_.write(report.status);
+      report_status(report.status);
       break;
     case Report::Kind::new_engine:
-      descriptions_.write(describe(*report.design, report.engine_id, source_id_));
-      spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
+      report_new_engine(report);
       break;
     case Report::Kind::unknown_engine:
       spdlog::warn(
@@ -63,6 +65,18 @@ bool Reporter::report_next() {
       break;
   }
   return true;
+}
+
+void Reporter::report_status(const MonitorStatus& status) {
+  status_.write(status);
+  if (board_.hang_up(status)) service::notify_status(board_.summary());
+}
+
+void Reporter::report_new_engine(const Report& report) {
+  const EngineDescription description = describe(*report.design, report.engine_id, source_id_);
+  descriptions_.write(description);
+  board_.hang_up(description);
+  spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
 }
 
 void Reporter::report_event(const Report& report) {
@@ -82,6 +96,7 @@ void Reporter::report_event(const Report& report) {
   wire_event.channel_name() = channel_name(event, report.design->model).c_str();
   wire_event.message() = text.c_str();
   events_.write(wire_event);
+  board_.hang_up(wire_event);
   if (event.raised)
     spdlog::warn("engine {}: {}", report.engine_id, text);
   else

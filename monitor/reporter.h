@@ -4,25 +4,33 @@
 #include <atomic>
 #include <thread>
 
+#include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
+#include "monitor/export/status_board.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
 
 class Reporter {
  public:
-  Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue);
+  /// What it publishes also hangs on `board`.
+  Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, StatusBoard& board);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
+  const service::TurnCounter& turns() const { return turns_; }
 
  private:
   void run();
   bool report_next();
+  void report_status(const MonitorStatus& status);
+  void report_new_engine(const Report& report);
   void report_event(const Report& report);
   void report_overflow();
 
   std::uint32_t source_id_;
   ReportQueue& queue_;
+  StatusBoard& board_;
+  service::TurnCounter turns_;
   std::uint64_t overflow_said_ = 0;
   wire::Writer<HealthEvent> events_;
   wire::Writer<MonitorStatus> status_;

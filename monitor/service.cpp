@@ -4,8 +4,10 @@
 
 #include <optional>
 
+#include "deploy/service/notify.h"
 #include "deploy/service/stop_signal.h"
 #include "monitor/cycle_thread.h"
+#include "monitor/export/metrics_endpoint.h"
 #include "monitor/reporter.h"
 #include "monitor/security_events.h"
 
@@ -37,11 +39,17 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   if (!config.security.empty())
     security.emplace(participant, static_cast<std::uint32_t>(config.source_id), std::move(incidents));
   auto reports = std::make_unique<ReportQueue>();
-  Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *reports);
+  const auto source_id = static_cast<std::uint32_t>(config.source_id);
+  StatusBoard board;
+  Reporter reporter(participant, source_id, *reports, board);
   CycleThread cycle(participant, config, engines, *reports);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
+  const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
+  const service::Watchdog watchdog(cycle.turns(), "cycle");
+  service::notify_ready();
   while (!stop.requested()) cycle.run_once();
+  service::notify_stopping();
   cycle.say_stopped();
   spdlog::info("stopped in order");
 }

@@ -5,6 +5,9 @@
 //               | bounded queues, never waited for
 //               v
 //           Reporter (logs, events, status) and whatever else is slow, each on a thread of its own
+//               | StatusBoard
+//               v
+//           MetricsEndpoint (HTTP); Watchdog looks at the cycle's turns
 //
 // @throws wire::DdsError if DDS refuses an entity.
 
