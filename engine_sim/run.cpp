@@ -84,7 +84,9 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   auto incidents = service::hear_incidents(options);
   wire::Participant participant(std::move(options));
   std::optional<service::SecurityWatch> security;
-  if (!config.security.empty()) security.emplace(participant, std::move(incidents), service::log_incident);
+  if (!config.security.empty())
+    security.emplace(participant, std::move(incidents),
+                     [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); });
   SimPublisher publisher(participant, scenario);
   CommandReader commands(participant, engine_id);
   std::optional<Lockstep> lockstep;

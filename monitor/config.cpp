@@ -52,6 +52,14 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
               "rate at which noise alone may raise a health shift");
 }
 
+void declare_checkpoint(Schema& schema, MonitorConfig& m) {
+  schema.text("checkpoint.directory", m.checkpoint_directory,
+              "existing folder for one checkpoint file per engine, from which a killed monitor resumes; empty is none");
+  schema.real("checkpoint.period_s", m.checkpoint_period_s, 0.1, 3600, "s", "time between checkpoints of an engine");
+  schema.real("checkpoint.max_age_s", m.checkpoint_max_age_s, 0.1, 1e6, "s",
+              "an older checkpoint, by our clock or by the source's, is not resumed: the filter starts cold");
+}
+
 void declare_tables(Schema& schema, MonitorConfig& m) {
   schema.tables(
       "engine", "which design flies for which engines: ids, design",
@@ -104,6 +112,7 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.choice("monitor.clock", m.clock, {"monotonic", "source"},
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
+  declare_checkpoint(schema, m);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", m.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");

@@ -27,6 +27,10 @@ struct MonitorConfig {
   std::string clock = "monotonic";
   CycleOptions cycle;
 
+  std::string checkpoint_directory;  ///< empty: no checkpoints
+  double checkpoint_period_s = 5.0;
+  double checkpoint_max_age_s = 300.0;
+
   std::int64_t domain = 0;
   std::string partition, profiles_file, profile = "ehm_participant", security;
   std::string ownership = "shared";

@@ -16,16 +16,18 @@ constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
 // Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing;
 // a source that says nothing at all for so long is lost all the same.
 constexpr double source_silence_s = 2.0;
+constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that must be over within a second
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
-                         ReportQueue& reports)
+                         ReportQueue& reports, CheckpointKeeper* checkpoints)
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
       start_ns_(monotonic_ns()),
       engines_(engines),
       reports_(reports),
+      checkpoints_(checkpoints),
       sensors_(participant),
       commands_(participant),
       health_(participant),
@@ -54,12 +56,17 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
       reports_.push({Report::Kind::unknown_engine, sensors.engine_id(), nullptr, {}, unknown_engine_samples_, 0, {}});
     return;
   }
-  if (slot->received_ns == 0)
-    reports_.push({Report::Kind::new_engine, slot->engine_id, &slot->cycle.design(), {}, 0, 0, {}});
-  slot->received_ns = monotonic_ns();
   convert(sensors, slot->sample);
+  if (slot->received_ns == 0) first_sample(*slot);
+  slot->received_ns = monotonic_ns();
   if (slot->cycle.process(slot->sample)) publish(*slot, slot->cycle.result(), arrival_ns);
   report_events(*slot);
+}
+
+void CycleThread::first_sample(EngineSlot& slot) {
+  reports_.push({Report::Kind::new_engine, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
+  if (!checkpoints_) return;
+  if (const auto event = checkpoints_->resume(slot)) report_event(slot, *event);
 }
 
 void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
@@ -99,18 +106,22 @@ void CycleThread::watch_input() {
     const StatusLevel level = level_of(slot);
     if (now_ns - slot.status_ns >= status_period_ns_ || static_cast<std::uint32_t>(level) != slot.status_level)
       report_status(slot, level, now_ns);
+    if (checkpoints_) checkpoints_->keep(slot, now_ns);
   });
 }
 
+void CycleThread::report_event(const EngineSlot& slot, const Event& event) {
+  reports_.push({Report::Kind::event,
+                 slot.engine_id,
+                 &slot.cycle.design(),
+                 event,
+                 slot.sample.sequence,
+                 slot.sample.source_time_ns,
+                 {}});
+}
+
 void CycleThread::report_events(EngineSlot& slot) {
-  for (const Event& event : slot.cycle.events())
-    reports_.push({Report::Kind::event,
-                   slot.engine_id,
-                   &slot.cycle.design(),
-                   event,
-                   slot.sample.sequence,
-                   slot.sample.source_time_ns,
-                   {}});
+  for (const Event& event : slot.cycle.events()) report_event(slot, event);
   slot.cycle.clear_events();
 }
 
@@ -122,6 +133,10 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   report.status.status_time_ns(wall_clock_ns());
   report.status.unknown_engine_samples(unknown_engine_samples_);
   report.status.reports_lost(reports_.overflow());
+  if (checkpoints_) {
+    report.status.checkpoints_written(checkpoints_->writer().written());
+    report.status.checkpoints_failed(checkpoints_->writer().failed());
+  }
   reports_.push(report);
   slot.status_ns = now_ns;
   slot.status_received = slot.cycle.counters().received;
@@ -131,6 +146,8 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
 
 void CycleThread::say_stopped() {
   engines_.for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
+  const std::int64_t limit_ns = monotonic_ns() + last_checkpoints_ns;
+  if (checkpoints_) engines_.for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });
 }
 
 }  // namespace ehm::monitor

@@ -6,6 +6,7 @@
 
 #include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
+#include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/engine_table.h"
 #include "monitor/report.h"
 
@@ -13,11 +14,13 @@ namespace ehm::monitor {
 
 class CycleThread {
  public:
-  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports);
+  /// `checkpoints` may be null: none are kept then.
+  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
+              CheckpointKeeper* checkpoints);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
-  /// Tells every engine's subscribers that this monitor stops in order.
+  /// Tells every engine's subscribers that this monitor stops in order, and keeps a last checkpoint of each.
   void say_stopped();
   /// Grows with every turn and every sample, at least 60 times a second.
   const service::TurnCounter& turns() const { return turns_; }
@@ -27,6 +30,8 @@ class CycleThread {
   void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
   void obey(const MonitorCommand& command);
   void watch_input();
+  void first_sample(EngineSlot& slot);
+  void report_event(const EngineSlot& slot, const Event& event);
   void report_events(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
 
@@ -36,6 +41,7 @@ class CycleThread {
   std::int64_t start_ns_;
   EngineTable& engines_;
   ReportQueue& reports_;
+  CheckpointKeeper* checkpoints_;
   std::uint64_t unknown_engine_samples_ = 0;
   service::TurnCounter turns_;
 

@@ -23,7 +23,9 @@ struct EngineSlot {
   std::int64_t status_ns = 0;         ///< monotonic, of the latest status
   std::uint64_t status_received = 0;  ///< samples received up to that status
   std::uint32_t status_level = 0;
-  CycleCounters status_counters;  ///< at that status, to tell what is new
+  CycleCounters status_counters;           ///< at that status, to tell what is new
+  std::int64_t checkpoint_ns = 0;          ///< monotonic, of the latest checkpoint
+  std::uint64_t checkpoint_processed = 0;  ///< samples processed up to that checkpoint
 };
 
 }  // namespace ehm::monitor

@@ -24,6 +24,12 @@ EngineTable::EngineTable(const MonitorConfig& config) {
     slots_.push_back(std::make_unique<EngineSlot>(load(config.design), config.cycle));
 }
 
+const design::Design* EngineTable::design_of(std::uint32_t engine_id) const noexcept {
+  for (const auto& slot : slots_)
+    if (slot->engine_id == engine_id || slot->engine_id == 0) return &slot->cycle.design();
+  return nullptr;
+}
+
 EngineSlot* EngineTable::find(std::uint32_t engine_id, bool may_join) noexcept {
   if (engine_id == 0) return nullptr;  // reserved, see MonitorCommand
   for (auto& slot : slots_) {

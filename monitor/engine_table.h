@@ -19,6 +19,8 @@ class EngineTable {
   /// The engine's slot; null for an engine that no design serves or that finds no spare filter. A spare one is given
   /// away only if `may_join`: not for a stray message that cannot be read. Real-time safe: yes.
   EngineSlot* find(std::uint32_t engine_id, bool may_join) noexcept;
+  /// The design that flies, or would fly, for an engine; null if none.
+  const design::Design* design_of(std::uint32_t engine_id) const noexcept;
   /// All slots in use.
   template <class Visit>
   void for_each(Visit&& visit) {

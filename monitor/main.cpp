@@ -8,7 +8,11 @@
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
+<<<<<<< HEAD
 #include "idl/dds/security.h"
+=======
+#include "monitor/checkpoint/checkpoint_folder.h"
+>>>>>>> main
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
 #include "monitor/service.h"
@@ -32,6 +36,7 @@ int main(int argc, char** argv) {
     monitor::finish_config(config);
     wire::check_security(config.security);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
+    if (!config.checkpoint_directory.empty()) monitor::require_writable_folder(config.checkpoint_directory);
     engines = std::make_unique<monitor::EngineTable>(config);
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';

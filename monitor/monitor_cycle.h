@@ -15,6 +15,7 @@
 #include "monitor/checks/sample_check.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/sensor_check.h"
+#include "monitor/cycle_state.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/estimation/tuner_filter.h"
@@ -64,6 +65,13 @@ class MonitorCycle {
   /// Cold start of the filter, by an operator's order. Real-time safe: yes.
   void reset() noexcept;
 
+  /// What a successor needs to go on from here. False, and nothing written, without an honest estimate. Real-time safe:
+  /// yes.
+  bool snapshot(CycleState& state) const noexcept;
+  /// Goes on from `state` with the sample that is to be processed next; call on a cycle that has seen none, just before
+  /// process. Refused, nothing is changed. Real-time safe: yes.
+  Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
+
   const estimation::TunerFilter& filter() const noexcept { return filter_; }
   const estimation::ErrorPropagation& error() const noexcept { return error_; }
   const design::Design& design() const noexcept { return *design_; }
@@ -91,6 +99,7 @@ class MonitorCycle {
   void readmit() noexcept;
   void judge() noexcept;
   std::uint32_t estimate_flags() const noexcept;
+  void fly_blind_to(const Sample& next, std::uint64_t sequence) noexcept;
 
   std::shared_ptr<const design::Design> design_;
   CycleOptions options_;

@@ -8,6 +8,7 @@
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/dds/event_text.h"
+#include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
 
@@ -95,12 +96,27 @@ void Reporter::report_event(const Report& report) {
   wire_event.threshold(event.threshold);
   wire_event.channel_name() = channel_name(event, report.design->model).c_str();
   wire_event.message() = text.c_str();
-  events_.write(wire_event);
-  board_.hang_up(wire_event);
-  if (event.raised)
-    spdlog::warn("engine {}: {}", report.engine_id, text);
-  else
-    spdlog::info("engine {}: {}", report.engine_id, text);
+  publish(wire_event);
+}
+
+void Reporter::say(wire::EventKind kind, bool raised, std::uint32_t engine_id, const std::string& message) {
+  HealthEvent event;
+  event.engine_id(engine_id);
+  event.source_id(source_id_);
+  event.kind(static_cast<std::uint32_t>(kind));
+  event.schema(wire::schema_version);
+  event.raised(raised ? 1 : 0);
+  event.source_time_ns(wall_clock_ns());
+  event.message() = message.c_str();
+  publish(event);
+}
+
+void Reporter::publish(const HealthEvent& event) {
+  events_.write(event);
+  board_.hang_up(event);
+  const std::string whom =
+      event.engine_id() == 0 ? std::string() : "engine " + std::to_string(event.engine_id()) + ": ";
+  spdlog::log(event.raised() != 0 ? spdlog::level::warn : spdlog::level::info, "{}{}", whom, event.message().c_str());
 }
 
 void Reporter::report_overflow() {

@@ -6,6 +6,7 @@
 
 #include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
+#include "idl/wire_values.h"
 #include "monitor/export/status_board.h"
 #include "monitor/report.h"
 
@@ -17,6 +18,8 @@ class Reporter {
   Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, StatusBoard& board);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
+  /// From any slow thread: publishes and logs what the service itself has to say. `engine_id` 0 is the whole monitor.
+  void say(wire::EventKind kind, bool raised, std::uint32_t engine_id, const std::string& message);
   const service::TurnCounter& turns() const { return turns_; }
 
  private:
@@ -26,6 +29,7 @@ class Reporter {
   void report_new_engine(const Report& report);
   void report_event(const Report& report);
   void report_overflow();
+  void publish(const HealthEvent& event);
 
   std::uint32_t source_id_;
   ReportQueue& queue_;

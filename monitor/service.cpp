@@ -5,11 +5,13 @@
 #include <optional>
 
 #include "deploy/service/notify.h"
+#include "deploy/service/security_watch.h"
 #include "deploy/service/stop_signal.h"
+#include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/cycle_thread.h"
 #include "monitor/export/metrics_endpoint.h"
+#include "monitor/realtime/clock.h"
 #include "monitor/reporter.h"
-#include "monitor/security_events.h"
 
 namespace ehm::monitor {
 
@@ -28,6 +30,27 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
   return options;
 }
 
+/// Checkpoints are on: what is kept in flight, and what could be resumed at start.
+struct Checkpoints {
+  Checkpoints(const MonitorConfig& config, const EngineTable& engines, Reporter& reporter)
+      : writer(config.checkpoint_directory),
+        resumable(
+            config.checkpoint_directory, config.checkpoint_max_age_s, wall_clock_ns(),
+            [&](std::uint32_t id) {
+              const design::Design* design = engines.design_of(id);
+              return design ? design->hash : std::string();
+            },
+            refused),
+        keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s) {
+    for (const auto& r : refused)
+      reporter.say(wire::EventKind::checkpoint, true, r.engine_id, r.why + ". The filter starts cold");
+  }
+  std::vector<RefusedCheckpoint> refused;
+  CheckpointWriter writer;
+  ResumeTable resumable;
+  CheckpointKeeper keeper;
+};
+
 }  // namespace
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
@@ -35,14 +58,18 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   auto options = participant_options(config);
   auto incidents = service::hear_incidents(options);
   wire::Participant participant(std::move(options));
-  std::optional<SecurityEvents> security;
-  if (!config.security.empty())
-    security.emplace(participant, static_cast<std::uint32_t>(config.source_id), std::move(incidents));
   auto reports = std::make_unique<ReportQueue>();
   const auto source_id = static_cast<std::uint32_t>(config.source_id);
   StatusBoard board;
   Reporter reporter(participant, source_id, *reports, board);
-  CycleThread cycle(participant, config, engines, *reports);
+  std::optional<service::SecurityWatch> security;
+  if (!config.security.empty())
+    security.emplace(participant, std::move(incidents), [&](const auto& text, auto times) {
+      reporter.say(wire::EventKind::security, true, 0, service::incident_text(text, times));
+    });
+  std::optional<Checkpoints> checkpoints;
+  if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
+  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});

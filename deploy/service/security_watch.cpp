@@ -53,11 +53,8 @@ std::shared_ptr<IncidentBox> hear_incidents(wire::ParticipantOptions& options) {
   return box;
 }
 
-void log_incident(const std::string& text, std::uint64_t times) {
-  if (times > 1)
-    spdlog::warn("security: {} ({} times)", text, times);
-  else
-    spdlog::warn("security: {}", text);
+std::string incident_text(const std::string& text, std::uint64_t times) {
+  return "security: " + text + (times > 1 ? " (" + std::to_string(times) + " times)" : "");
 }
 
 SecurityWatch::SecurityWatch(wire::Participant& participant, std::shared_ptr<IncidentBox> box, Say say)

@@ -35,7 +35,8 @@ class IncidentBox {
 /// Fills the hooks of `options` when they ask for security; call it before the Participant is made.
 std::shared_ptr<IncidentBox> hear_incidents(wire::ParticipantOptions& options);
 
-void log_incident(const std::string& text, std::uint64_t times);
+/// "security: " and the text, and how often it came if more than once.
+std::string incident_text(const std::string& text, std::uint64_t times);
 
 class SecurityWatch {
  public:

@@ -32,6 +32,8 @@ class Qualification {
   }
   State state() const noexcept { return state_; }
   void reset() noexcept { become(State::trusted); }
+  /// As after a declared fault; the count of good values starts anew.
+  void exclude() noexcept { become(State::excluded); }
 
  private:
   void become(State state) noexcept {

@@ -15,6 +15,16 @@ namespace ehm::monitor {
 
 class ReturnGate {
  public:
+  /// What a checkpoint keeps of it.
+  struct Memory {
+    double offset = 0.0, narrow_variance = 1.0, wide_variance = 1.0, age_s = 0.0;
+  };
+  Memory memory() const noexcept { return {offset_, narrow_, wide_, age_s_}; }
+  void resume(const Memory& memory) noexcept {
+    start(memory.offset, memory.narrow_variance, memory.wide_variance);
+    age_s_ = std::min(memory_s, memory.age_s);
+  }
+
   void start(double offset, double narrow_variance, double wide_variance) noexcept {
     offset_ = offset;
     narrow_ = narrow_variance;

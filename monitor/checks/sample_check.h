@@ -39,6 +39,8 @@ class SampleCheck {
   void reset() noexcept { started_ = false; }
   void release_source() noexcept { bound_ = false; }
   std::uint32_t source_id() const noexcept { return source_id_; }
+  std::uint64_t last_sequence() const noexcept { return last_sequence_; }
+  std::int64_t last_time_ns() const noexcept { return last_time_ns_; }
 
  private:
   bool malformed(const Sample& sample) const noexcept;

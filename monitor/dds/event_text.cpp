@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "monitor/cycle_state.h"
+
 namespace ehm::monitor {
 
 namespace {
@@ -29,11 +31,32 @@ std::string reasons(std::uint32_t detail) {
                                                           {reason::range, "out of range"},
                                                           {reason::rate, "impossible rate"},
                                                           {reason::stuck, "stuck"},
-                                                          {reason::innovation_gate, "outside the innovation gate"}};
+                                                          {reason::innovation_gate, "outside the innovation gate"},
+                                                          {reason::excluded, "declared faulty earlier"}};
   std::string text;
   for (const auto& [bit, name] : names)
     if (detail & bit) text += (text.empty() ? "" : ", ") + std::string(name);
   return text;
+}
+
+/// What became of a readable checkpoint at the engine's first sample; of an unreadable one the file's reader tells.
+std::string checkpoint_text(const Event& e) {
+  switch (static_cast<Resumption>(e.detail)) {
+    case Resumption::taken:
+      return fmt::format("the filter resumed from its checkpoint of {:.3g} s before this sample", e.value);
+    case Resumption::wrong_shape:
+      return "the checkpoint does not fit the design's shape: the filter starts cold";
+    case Resumption::other_source:
+      return "the checkpoint is of another source than this sample: the filter starts cold";
+    case Resumption::not_later:
+      return fmt::format("the source started anew after the checkpoint ({:.3g} s by its clock): the filter starts cold",
+                         e.value);
+    case Resumption::too_old:
+      return fmt::format(
+          "the checkpoint is {:.4g} s older than this sample, allowed is {:.4g} s: the filter starts cold", e.value,
+          e.threshold);
+  }
+  return "the checkpoint was refused";
 }
 
 }  // namespace
@@ -93,6 +116,7 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
     case wire::EventKind::input_liveliness:
       return e.raised ? "the source of the samples is no longer alive" : "the source of the samples is alive again";
     case wire::EventKind::checkpoint:
+      return checkpoint_text(e);
     case wire::EventKind::configuration:
     case wire::EventKind::incompatible_qos:
     case wire::EventKind::recording:

@@ -143,6 +143,22 @@ void TunerFilter::re_reference(const BoundedMatrix<max_augmented, max_augmented>
   updated_ = re_referenced_;
 }
 
+bool TunerFilter::restore(SensorSet set, const AugmentedVector& estimate) noexcept {
+  if (!available(set)) return false;
+  const SensorSet before = set_;
+  set_ = set;
+  if (estimate.size() != gain().A.rows()) {
+    set_ = before;
+    return false;
+  }
+  updated_.setZero(estimate.size() + model_.D.cols());
+  updated_.head(estimate.size()) = estimate;
+  predicted_.setZero();
+  innovation_.setZero();
+  read_out();
+  return true;
+}
+
 void TunerFilter::reset() noexcept {
   set_ = SensorSet::full();
   updated_.setZero(model_.full.A.rows() + model_.D.cols());

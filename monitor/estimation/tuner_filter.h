@@ -78,6 +78,9 @@ class TunerFilter {
   /// x, so that the predicted sensors of the new set, now and later, do not notice. Real-time safe: yes.
   /// @returns false, and changes nothing, if there is no design for that set.
   bool switch_sensor_set(SensorSet set) noexcept;
+  /// Goes on from an estimate that this filter had before: `estimate` is [x; q] of the design for `set`. Real-time
+  /// safe: yes. @returns false, and changes nothing, if there is no such design or the length is not its.
+  bool restore(SensorSet set, const AugmentedVector& estimate) noexcept;
   /// Back to xhat = 0 (the trim engine) with the full sensor set. Real-time safe: yes.
   void reset() noexcept;
 
