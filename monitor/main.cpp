@@ -8,11 +8,8 @@
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
-<<<<<<< HEAD
 #include "idl/dds/security.h"
-=======
 #include "monitor/checkpoint/checkpoint_folder.h"
->>>>>>> main
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
 #include "monitor/service.h"
