@@ -124,6 +124,13 @@ void declare(Schema& schema, MonitorConfig& m) {
                 "of the estimate topics; exclusive for redundant monitors, and their readers must ask for it");
   schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",
                  "of this monitor under exclusive ownership; the strongest live one is seen");
+  schema.real(
+      "dds.input_deadline_s", m.input_deadline_s, 0, 60, "s",
+      "ask sources for a sample of each engine so often (engine_sim offers 0.1) and raise an event when it stays "
+      "away; sources that do not offer it are excluded; 0 asks for nothing");
+  schema.real("dds.input_lease_s", m.input_lease_s, 0, 60, "s",
+              "ask sources for a sign of life so often (engine_sim offers 1) and raise an event when it stays away; "
+              "sources that do not offer it are excluded; 0 asks for nothing");
   schema.choice("log.level", m.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
   schema.text("metrics.listen", m.metrics_listen,
               "HOST:PORT of the HTTP endpoint /metrics, /health, /ready; port 0 is any free one, empty is none");

@@ -35,6 +35,7 @@ struct MonitorConfig {
   std::string partition, profiles_file, profile = "ehm_participant", security;
   std::string ownership = "shared";
   std::int64_t ownership_strength = 1;
+  double input_deadline_s = 0.0, input_lease_s = 0.0;
   std::string log_level = "info";
   std::string metrics_listen = "127.0.0.1:9477";  ///< HOST:PORT; empty: none
 };

@@ -33,6 +33,7 @@ class CycleThread {
   void first_sample(EngineSlot& slot);
   void report_event(const EngineSlot& slot, const Event& event);
   void report_events(EngineSlot& slot);
+  void report_malformed(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
 
   std::uint32_t source_id_;

@@ -16,8 +16,10 @@ struct EngineSlot {
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet
   MonitorCycle cycle;
   LatencyHistogram latency;
-  Sample sample;                      ///< the latest
-  std::int64_t received_ns = 0;       ///< monotonic, of the latest sample
+  Sample sample;                      ///< the latest, in order or not
+  std::uint64_t last_sequence = 0;    ///< of the latest sample in order
+  std::int64_t received_ns = 0;       ///< monotonic, of the latest sample in order
+  std::int64_t malformed_ns = 0;      ///< monotonic, when malformed samples were last spoken of
   std::uint64_t deadline_misses = 0;  ///< estimates later than one sample time after their sample
   std::uint64_t writes_refused = 0;   ///< by the middleware, on any estimate topic
   std::int64_t status_ns = 0;         ///< monotonic, of the latest status

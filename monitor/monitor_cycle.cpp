@@ -90,10 +90,7 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
       return false;
     case SampleVerdict::foreign:
       ++counters_.foreign;
-      second_source_.set(true,
-                         {wire::EventKind::second_source, 0, true, static_cast<double>(sample.source_id),
-                          static_cast<double>(sample_check_.source_id()), 0},
-                         events_);
+      second_source_.foreign(sample, sample_check_.source_id(), events_);
       return false;
     case SampleVerdict::restarted:
       restart(decision.jump_s);
@@ -103,6 +100,7 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
       break;
   }
   input_lost_.set(false, {wire::EventKind::input_lost, 0, false, 0.0, 0.0, 0}, events_);
+  second_source_.followed(events_);
   for (int i = 0; i < actuators_; ++i) du_(i) = sample.actuator[static_cast<std::size_t>(i)] - actuator_trim_(i);
   if (decision.verdict != SampleVerdict::accepted) du_previous_ = du_;
   return true;
@@ -285,7 +283,7 @@ void MonitorCycle::no_input(double age_s) noexcept {
   input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, 0}, events_);
   // The source is gone: whoever sends next may take its place.
   sample_check_.release_source();
-  second_source_.set(false, {wire::EventKind::second_source, 0, false, 0.0, 0.0, 0}, events_);
+  second_source_.end(events_);
 }
 
 }  // namespace ehm::monitor

@@ -21,6 +21,7 @@
 #include "monitor/estimation/tuner_filter.h"
 #include "monitor/judge/events.h"
 #include "monitor/judge/limit_watch.h"
+#include "monitor/judge/second_source_watch.h"
 #include "monitor/judge/shift_detector.h"
 #include "monitor/judge/validity.h"
 #include "monitor/options.h"
@@ -122,7 +123,8 @@ class MonitorCycle {
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;
-  Condition no_design_, input_lost_, second_source_;
+  Condition no_design_, input_lost_;
+  SecondSourceWatch second_source_;
   EventList events_;
   CycleCounters counters_;
   CycleResult result_;

@@ -15,11 +15,25 @@ namespace ehm::monitor {
 namespace {
 constexpr std::chrono::milliseconds poll{5};  // how late an event may be reported
 constexpr double drain_s = 0.5;               // how long a stop waits for subscribers to hear the last status
+
+void say_malformed(const Report& report) {
+  const Malformed& m = report.malformed;
+  const auto& model = report.design->model;
+  spdlog::warn(
+      "engine {}: a sample of source {} cannot be used: schema {} with {} sensors and {} actuators; needed are schema "
+      "{}, {} sensors, {} actuators, and a finite flight condition and actuators ({} so far)",
+      report.engine_id, m.source_id, m.schema, m.sensor_count, m.actuator_count, wire::schema_version,
+      model.sensors.size(), model.controls.size(), m.so_far);
+}
+
 }  // namespace
 
-Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, StatusBoard& board)
+Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
+                   InputWatch& input, StatusBoard& board)
     : source_id_(source_id),
       queue_(queue),
+      notices_(notices),
+      input_(input),
       board_(board),
       events_(participant),
       status_(participant),
@@ -39,6 +53,7 @@ void Reporter::run() {
     last = stop_.load(std::memory_order_acquire);
     while (report_next()) {
     }
+    report_notices();
     report_overflow();
     turns_.turned();
     if (!last) std::this_thread::sleep_for(poll);
@@ -55,6 +70,9 @@ bool Reporter::report_next() {
     case Report::Kind::status:
       report_status(report.status);
       break;
+    case Report::Kind::malformed:
+      say_malformed(report);
+      break;
     case Report::Kind::new_engine:
       report_new_engine(report);
       break;
@@ -66,11 +84,6 @@ bool Reporter::report_next() {
       break;
   }
   return true;
-}
-
-void Reporter::report_status(const MonitorStatus& status) {
-  status_.write(status);
-  if (board_.hang_up(status)) service::notify_status(board_.summary());
 }
 
 void Reporter::report_new_engine(const Report& report) {
@@ -85,10 +98,8 @@ void Reporter::report_event(const Report& report) {
   const std::string text = event_text(event, report.design->model);
   HealthEvent wire_event;
   wire_event.engine_id(report.engine_id);
-  wire_event.source_id(source_id_);
   wire_event.kind(static_cast<std::uint32_t>(event.kind));
   wire_event.channel(event.channel);
-  wire_event.schema(wire::schema_version);
   wire_event.raised(event.raised ? 1 : 0);
   wire_event.sequence_number(report.sequence);
   wire_event.source_time_ns(report.source_time_ns);
@@ -99,19 +110,34 @@ void Reporter::report_event(const Report& report) {
   publish(wire_event);
 }
 
-void Reporter::say(wire::EventKind kind, bool raised, std::uint32_t engine_id, const std::string& message) {
+void Reporter::report_notices() {
+  input_.settle(monotonic_ns());
+  for (const Notice& notice : notices_.take()) say(notice);
+}
+
+void Reporter::report_status(MonitorStatus& status) {
+  status.input_deadline_misses(input_.deadline_misses());
+  status.input_liveliness_losses(input_.liveliness_losses());
+  status.reports_lost(status.reports_lost() + notices_.lost());
+  status_.write(status);
+  if (board_.hang_up(status)) service::notify_status(board_.summary());
+}
+
+void Reporter::say(const Notice& notice) {
   HealthEvent event;
-  event.engine_id(engine_id);
-  event.source_id(source_id_);
-  event.kind(static_cast<std::uint32_t>(kind));
-  event.schema(wire::schema_version);
-  event.raised(raised ? 1 : 0);
+  event.engine_id(notice.engine_id);
+  event.kind(static_cast<std::uint32_t>(notice.kind));
+  event.raised(notice.raised ? 1 : 0);
   event.source_time_ns(wall_clock_ns());
-  event.message() = message.c_str();
+  event.value(notice.value);
+  event.threshold(notice.threshold);
+  event.message() = notice.text.c_str();
   publish(event);
 }
 
-void Reporter::publish(const HealthEvent& event) {
+void Reporter::publish(HealthEvent& event) {
+  event.source_id(source_id_);
+  event.schema(wire::schema_version);
   events_.write(event);
   board_.hang_up(event);
   const std::string whom =

@@ -17,7 +17,7 @@ namespace ehm::monitor {
 
 namespace {
 
-wire::ParticipantOptions participant_options(const MonitorConfig& config) {
+wire::ParticipantOptions participant_options(const MonitorConfig& config, NoticeBoard& notices, InputWatch& input) {
   wire::ParticipantOptions options;
   options.domain = static_cast<std::uint32_t>(config.domain);
   options.name = "monitor " + std::to_string(config.source_id);
@@ -26,7 +26,10 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config) {
   options.partition = config.partition;
   options.security = config.security;
   options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
-  options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
+  options.input = input.request();
+  options.on_incompatible = [&notices](const std::string& what) {
+    notices.post({wire::EventKind::incompatible_qos, true, what});
+  };
   return options;
 }
 
@@ -43,7 +46,7 @@ struct Checkpoints {
             refused),
         keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s) {
     for (const auto& r : refused)
-      reporter.say(wire::EventKind::checkpoint, true, r.engine_id, r.why + ". The filter starts cold");
+      reporter.say({wire::EventKind::checkpoint, true, r.why + ". The filter starts cold", r.engine_id});
   }
   std::vector<RefusedCheckpoint> refused;
   CheckpointWriter writer;
@@ -55,13 +58,15 @@ struct Checkpoints {
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
-  auto options = participant_options(config);
+  NoticeBoard notices;
+  InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
+  auto options = participant_options(config, notices, input);
   auto incidents = service::hear_incidents(options);
   wire::Participant participant(std::move(options));
   auto reports = std::make_unique<ReportQueue>();
   const auto source_id = static_cast<std::uint32_t>(config.source_id);
   StatusBoard board;
-  Reporter reporter(participant, source_id, *reports, board);
+  Reporter reporter(participant, source_id, *reports, notices, input, board);
   std::optional<service::SecurityWatch> security;
   if (!config.security.empty())
     security.emplace(participant, std::move(incidents), [&](const auto& text, auto times) {

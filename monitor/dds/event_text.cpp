@@ -101,9 +101,13 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
                                e.value, e.threshold)
                  : "samples come in the design's time again, the filter starts anew";
     case wire::EventKind::second_source:
-      return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to",
-                                    e.value, e.threshold)
-                      : "the source has fallen silent, another may take over";
+      if (!e.raised)
+        return "one source only sends samples of this engine again, or none does and another may take over";
+      if (e.value == e.threshold)
+        return fmt::format(
+            "another writer also sends samples of this engine as source {:.0f}; the first is listened to", e.value);
+      return fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value,
+                         e.threshold);
     case wire::EventKind::ambiguous_fault:
       return e.raised ? fmt::format("something changed abruptly, and sensor or component cannot be told (likeliest {})",
                                     c->name)
@@ -112,9 +116,7 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return e.raised ? fmt::format("sensor {} drifts, by {:+.4g} {}", c->name, e.value, c->unit)
                       : fmt::format("sensor {} has stopped drifting", c->name);
     case wire::EventKind::input_deadline:
-      return e.raised ? "samples miss their deadline" : "samples keep their deadline again";
     case wire::EventKind::input_liveliness:
-      return e.raised ? "the source of the samples is no longer alive" : "the source of the samples is alive again";
     case wire::EventKind::checkpoint:
       return checkpoint_text(e);
     case wire::EventKind::configuration:
