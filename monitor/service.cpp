@@ -70,7 +70,7 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   std::optional<service::SecurityWatch> security;
   if (!config.security.empty())
     security.emplace(participant, std::move(incidents), [&](const auto& text, auto times) {
-      reporter.say(wire::EventKind::security, true, 0, service::incident_text(text, times));
+      notices.post({wire::EventKind::security, true, service::incident_text(text, times)});
     });
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
