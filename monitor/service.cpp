@@ -15,9 +15,7 @@
 
 namespace ehm::monitor {
 
-namespace {
-
-wire::ParticipantOptions participant_options(const MonitorConfig& config, NoticeBoard& notices, InputWatch& input) {
+wire::ParticipantOptions service_participant(const MonitorConfig& config) {
   wire::ParticipantOptions options;
   options.domain = static_cast<std::uint32_t>(config.domain);
   options.name = "monitor " + std::to_string(config.source_id);
@@ -26,6 +24,14 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config, Notice
   options.partition = config.partition;
   options.security = config.security;
   options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
+  return options;
+}
+
+namespace {
+
+/// What the middleware notices becomes events.
+wire::ParticipantOptions watched_participant(const MonitorConfig& config, NoticeBoard& notices, InputWatch& input) {
+  wire::ParticipantOptions options = service_participant(config);
   options.input = input.request();
   options.on_incompatible = [&notices](const std::string& what) {
     notices.post({wire::EventKind::incompatible_qos, true, what});
@@ -60,7 +66,7 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
   NoticeBoard notices;
   InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
-  auto options = participant_options(config, notices, input);
+  auto options = watched_participant(config, notices, input);
   auto incidents = service::hear_incidents(options);
   wire::Participant participant(std::move(options));
   auto reports = std::make_unique<ReportQueue>();
