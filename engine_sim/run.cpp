@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "deploy/service/notify.h"
+#include "deploy/service/security_watch.h"
 #include "deploy/service/watchdog.h"
 #include "engine_sim/dds/command_reader.h"
 #include "engine_sim/dds/lockstep.h"
@@ -62,7 +63,13 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   const double rate = config.rate_factor();
   const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
 
-  wire::Participant participant(participant_options(config, "engine_sim " + std::to_string(config.scenario.engine_id)));
+  auto options = participant_options(config, "engine_sim " + std::to_string(config.scenario.engine_id));
+  auto incidents = service::hear_incidents(options);
+  wire::Participant participant(std::move(options));
+  std::optional<service::SecurityWatch> security;
+  if (!config.security.empty())
+    security.emplace(participant, std::move(incidents),
+                     [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); });
   SimPublisher publisher(participant, scenario);
   CommandReader commands(participant, engine_id);
   std::optional<Lockstep> lockstep;

@@ -15,6 +15,7 @@ inline wire::ParticipantOptions participant_options(const SimConfig& config, con
   options.profiles_file = config.profiles_file;
   options.profile = config.profile;
   options.partition = config.partition;
+  options.security = config.security;
   options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
   return options;
 }
