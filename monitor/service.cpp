@@ -64,7 +64,10 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
   NoticeBoard notices;
   InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
-  wire::Participant participant(watched_participant(config, notices, input));
+  wire::Participant participant = [&] {
+    const MiddlewarePolicy inherited(config.realtime);
+    return wire::Participant(watched_participant(config, notices, input));
+  }();
   auto reports = std::make_unique<ReportQueue>();
   const auto source_id = static_cast<std::uint32_t>(config.source_id);
   StatusBoard board;
@@ -76,6 +79,7 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
   const service::Watchdog watchdog(cycle.turns(), "cycle");
+  for (const std::string& warning : set_up_realtime(config.realtime)) spdlog::warn("{}", warning);
   service::notify_ready();
   while (!stop.requested()) cycle.run_once();
   service::notify_stopping();
