@@ -64,8 +64,9 @@ class Pilot {
   static void spoil(Values& values, Steps& steps, const std::vector<estimation::Channel>& channels,
                     fuzz::ByteReader& bytes) {
     const auto which = bytes.take<std::uint8_t>();
-    if (channels.empty()) return;
-    const std::size_t i = which % channels.size();
+    const std::size_t count = std::min(channels.size(), values.size());
+    if (count == 0) return;
+    const std::size_t i = which % count;
     if (which & 128u)
       values[i] = bytes.take<double>();
     else
