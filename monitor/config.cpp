@@ -52,6 +52,19 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
               "rate at which noise alone may raise a health shift");
 }
 
+void declare_realtime(Schema& schema, RealtimeOptions& o) {
+  schema.choice("realtime.policy", o.policy, {"other", "fifo"},
+                "scheduling of the cycle thread; fifo needs a privilege, without it a warning says how to get it");
+  schema.integer("realtime.priority", o.priority, 1, 99, "", "of the cycle thread under fifo; 99 is the highest");
+  schema.flag("realtime.middleware_threads", o.middleware_threads,
+              "the threads of DDS, which receive the samples, are scheduled like the cycle thread");
+  schema.text("realtime.cpus", o.cpus, "processors of the cycle thread, such as 0,2-3; empty is all");
+  schema.flag("realtime.lock_memory", o.lock_memory,
+              "keep the process in memory (mlockall); needs a privilege or limit");
+  schema.integer("realtime.prefault_stack_kb", o.prefault_stack_kb, 0, 4096, "kB",
+                 "stack of the cycle thread that is touched before it runs");
+}
+
 void declare_checkpoint(Schema& schema, MonitorConfig& m) {
   schema.text("checkpoint.directory", m.checkpoint_directory,
               "existing folder for one checkpoint file per engine, from which a killed monitor resumes; empty is none");
@@ -112,6 +125,7 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.choice("monitor.clock", m.clock, {"monotonic", "source"},
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
+  declare_realtime(schema, m.realtime);
   declare_checkpoint(schema, m);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
@@ -152,6 +166,11 @@ void finish_config(const MonitorConfig& m) {
   if (static_cast<std::int64_t>(seen.size()) > m.max_engines)
     throw ConfigError("[[engine]] tables name " + std::to_string(seen.size()) +
                       " engines, monitor.max_engines allows " + std::to_string(m.max_engines));
+  try {
+    parse_cpu_list(m.realtime.cpus);
+  } catch (const std::invalid_argument& e) {
+    throw ConfigError(e.what());
+  }
 }
 
 }  // namespace ehm::monitor

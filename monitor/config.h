@@ -9,6 +9,7 @@
 
 #include "deploy/config/schema.h"
 #include "monitor/options.h"
+#include "monitor/realtime/rt_setup.h"
 
 namespace ehm::monitor {
 
@@ -26,6 +27,7 @@ struct MonitorConfig {
   double status_period_s = 1.0;
   std::string clock = "monotonic";
   CycleOptions cycle;
+  RealtimeOptions realtime;
 
   std::string checkpoint_directory;  ///< empty: no checkpoints
   double checkpoint_period_s = 5.0;

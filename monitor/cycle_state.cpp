@@ -50,9 +50,10 @@ bool MonitorCycle::snapshot(CycleState& state) const noexcept {
 Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept {
   if (const Resumption verdict = continues(state, next, max_gap_s); verdict != Resumption::taken) return verdict;
   const auto design = static_cast<std::size_t>(1 + state.missing_sensor);
-  if (design >= error_models_.size() || !same_shape(state.error, error_models_[design])) return Resumption::wrong_shape;
+  if (design >= error_models_->size() || !same_shape(state.error, (*error_models_)[design]))
+    return Resumption::wrong_shape;
   if (!filter_.restore(set_of(state), state.estimate)) return Resumption::wrong_shape;
-  error_.restore(error_models_[design], state.error);
+  error_.restore((*error_models_)[design], state.error);
   return_gate_.resume(state.return_gate);
   shift_.reset();
   for (int i = 0; i < sensors_; ++i) {
@@ -75,7 +76,7 @@ void MonitorCycle::fly_blind_to(const Sample& next, std::uint64_t sequence) noex
     const double du = next.actuator[static_cast<std::size_t>(i)] - actuator_trim_(i);
     du_(i) = std::isfinite(du) ? du : 0.0;
   }
-  const auto bound = static_cast<std::uint64_t>(error_models_.front().settling_samples);
+  const auto bound = static_cast<std::uint64_t>(error_models_->front().settling_samples);
   for (std::uint64_t k = std::min(next.sequence - sequence - 1, bound); k > 0; --k) {
     filter_.predict(du_);
     filter_.update({});

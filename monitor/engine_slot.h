@@ -2,7 +2,6 @@
 // One monitored engine: its cycle, its latencies, when it was last heard of.
 
 #include <cstdint>
-#include <memory>
 
 #include "monitor/monitor_cycle.h"
 #include "monitor/realtime/latency_histogram.h"
@@ -10,8 +9,7 @@
 namespace ehm::monitor {
 
 struct EngineSlot {
-  EngineSlot(std::shared_ptr<const design::Design> design, const CycleOptions& options)
-      : cycle(std::move(design), options) {}
+  EngineSlot(const PreparedDesign& design, const CycleOptions& options) : cycle(design, options) {}
 
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet
   MonitorCycle cycle;

@@ -1,4 +1,4 @@
-// monitor: arguments -> config -> loop -> exit code.
+// monitor: arguments -> config -> loop -> exit code; with --listen a wiring check instead of the loop.
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -11,6 +11,7 @@
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
+#include "monitor/listen/listen.h"
 #include "monitor/service.h"
 
 int main(int argc, char** argv) {
@@ -21,7 +22,9 @@ int main(int argc, char** argv) {
   config::Schema schema;
   monitor::declare(schema, config);
 
+  monitor::ListenOptions listen;
   config::CommandLine line;
+  line.more_options = [&listen](CLI::App& app) { monitor::declare(app, listen); };
   if (const auto code = config::parse_command_line(
           argc, argv, "monitor", "Estimates engine health from sensor samples on DDS, and publishes it.", schema, line))
     return *code;
@@ -43,6 +46,8 @@ int main(int argc, char** argv) {
   }
 
   try {
+    if (listen.wanted)
+      return monitor::listen(config, *engines, listen, std::cout) ? service::exit_ok : service::exit_failed;
     monitor::run_service(config, *engines);
     return service::exit_ok;
   } catch (const std::exception& e) {

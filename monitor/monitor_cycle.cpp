@@ -3,8 +3,6 @@
 #include <limits>
 
 #include "idl/wire_values.h"
-#include "monitor/design/make_error_model.h"
-#include "monitor/design/make_filter.h"
 
 namespace ehm::monitor {
 
@@ -12,13 +10,6 @@ namespace reason = wire::reject_reason;
 using estimation::SensorSet;
 
 namespace {
-
-std::vector<estimation::ErrorModel> make_error_models(const design::Design& design) {
-  std::vector<estimation::ErrorModel> models{design::make_error_model(design, design.full)};
-  for (const auto& subset : design.missing)
-    models.push_back(subset ? design::make_error_model(design, *subset) : estimation::ErrorModel{});
-  return models;
-}
 
 template <class Vector>
 Vector trims(const std::vector<estimation::Channel>& channels) {
@@ -29,14 +20,14 @@ Vector trims(const std::vector<estimation::Channel>& channels) {
 
 }  // namespace
 
-MonitorCycle::MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options)
-    : design_(std::move(design)),
+MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options)
+    : design_(prepared.design),
       options_(options),
       sensors_(static_cast<int>(design_->model.sensors.size())),
       actuators_(static_cast<int>(design_->model.controls.size())),
-      error_models_(make_error_models(*design_)),
-      filter_(design::make_filter(*design_)),
-      error_(error_models_.front()),
+      error_models_(prepared.error_models),
+      filter_(prepared.filter),
+      error_(error_models_->front()),
       sample_check_(options.checks, sensors_, actuators_, design_->model.sample_time_s),
       sample_time_(design_->model.sample_time_s),
       sensor_check_(options.checks, design_->model),
@@ -108,7 +99,7 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
 
 void MonitorCycle::restart_filter() noexcept {
   filter_.reset();
-  error_.reset(error_models_.front());
+  error_.reset(error_models_->front());
   shift_.reset();
   du_previous_ = du_;
 }
@@ -240,14 +231,14 @@ void MonitorCycle::exclude(int sensor) noexcept {
   const double narrow = filter_.innovation_variance()(sensor);
   const bool knew_it = error_.settled();
   filter_.switch_sensor_set(SensorSet::without(sensor));
-  error_.switch_to(error_models_[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
+  error_.switch_to((*error_models_)[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
   const double without_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
   return_gate_.start(with_it - without_it, narrow, filter_.innovation_variance()(sensor));
   if (!knew_it) return_gate_.forget();
 }
 
 void MonitorCycle::readmit() noexcept {
-  error_.switch_to(error_models_.front(), filter_.gain().to_full);
+  error_.switch_to(error_models_->front(), filter_.gain().to_full);
   filter_.switch_sensor_set(SensorSet::full());
 }
 

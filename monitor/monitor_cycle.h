@@ -25,6 +25,7 @@
 #include "monitor/judge/shift_detector.h"
 #include "monitor/judge/validity.h"
 #include "monitor/options.h"
+#include "monitor/prepared_design.h"
 #include "monitor/sample.h"
 
 namespace ehm::monitor {
@@ -53,9 +54,12 @@ struct CycleResult {
 
 class MonitorCycle {
  public:
-  /// `design` is shared by all engines of its type.
+  /// Shares the prepared design with all engines of its type.
   /// @throws std::invalid_argument if an option does not fit the design (names it).
-  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options);
+  MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options);
+  /// For one engine of its type.
+  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options)
+      : MonitorCycle(PreparedDesign(std::move(design)), options) {}
 
   /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
   /// result stands. Real-time safe: yes.
@@ -105,7 +109,7 @@ class MonitorCycle {
   std::shared_ptr<const design::Design> design_;
   CycleOptions options_;
   int sensors_, actuators_;
-  std::vector<estimation::ErrorModel> error_models_;  ///< [0] full set, [1 + i] without sensor i
+  std::shared_ptr<const std::vector<estimation::ErrorModel>> error_models_;  ///< [0] full set, [1 + i] without sensor i
   estimation::TunerFilter filter_;
   estimation::ErrorPropagation error_;
 

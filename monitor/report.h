@@ -5,6 +5,7 @@
 
 #include "engine_health.h"
 #include "monitor/design/design.h"
+#include "monitor/estimate_snapshot.h"
 #include "monitor/judge/events.h"
 #include "monitor/realtime/spsc_queue.h"
 
@@ -24,8 +25,9 @@ struct Report {
   Event event;                             ///< Kind::event
   std::uint64_t sequence = 0;
   std::int64_t source_time_ns = 0;
-  MonitorStatus status;      ///< Kind::status
-  Malformed malformed = {};  ///< Kind::malformed
+  MonitorStatus status;             ///< Kind::status
+  EstimateSnapshot estimates = {};  ///< Kind::status
+  Malformed malformed = {};         ///< Kind::malformed
 };
 
 /// Room for several reports of each of a thousand engines between two turns of the reporter.

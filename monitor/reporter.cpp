@@ -69,6 +69,7 @@ bool Reporter::report_next() {
       break;
     case Report::Kind::status:
       report_status(report.status);
+      board_.hang_up(report.engine_id, report.design->model, report.estimates);
       break;
     case Report::Kind::malformed:
       say_malformed(report);

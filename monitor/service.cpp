@@ -14,9 +14,7 @@
 
 namespace ehm::monitor {
 
-namespace {
-
-wire::ParticipantOptions participant_options(const MonitorConfig& config, NoticeBoard& notices, InputWatch& input) {
+wire::ParticipantOptions service_participant(const MonitorConfig& config) {
   wire::ParticipantOptions options;
   options.domain = static_cast<std::uint32_t>(config.domain);
   options.name = "monitor " + std::to_string(config.source_id);
@@ -24,6 +22,14 @@ wire::ParticipantOptions participant_options(const MonitorConfig& config, Notice
   options.profile = config.profile;
   options.partition = config.partition;
   options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
+  return options;
+}
+
+namespace {
+
+/// What the middleware notices becomes events.
+wire::ParticipantOptions watched_participant(const MonitorConfig& config, NoticeBoard& notices, InputWatch& input) {
+  wire::ParticipantOptions options = service_participant(config);
   options.input = input.request();
   options.on_incompatible = [&notices](const std::string& what) {
     notices.post({wire::EventKind::incompatible_qos, true, what});
@@ -58,7 +64,10 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
   NoticeBoard notices;
   InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
-  wire::Participant participant(participant_options(config, notices, input));
+  wire::Participant participant = [&] {
+    const MiddlewarePolicy inherited(config.realtime);
+    return wire::Participant(watched_participant(config, notices, input));
+  }();
   auto reports = std::make_unique<ReportQueue>();
   const auto source_id = static_cast<std::uint32_t>(config.source_id);
   StatusBoard board;
@@ -70,6 +79,7 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
   const service::Watchdog watchdog(cycle.turns(), "cycle");
+  for (const std::string& warning : set_up_realtime(config.realtime)) spdlog::warn("{}", warning);
   service::notify_ready();
   while (!stop.requested()) cycle.run_once();
   service::notify_stopping();

@@ -17,6 +17,7 @@ std::optional<int> parse_command_line(int argc, char** argv, const std::string& 
   app.add_flag("--print-config", print_config, "print every key with default, range and description, and exit");
   app.add_flag("--check-config", line.check_config, "read the configuration and what it names, and exit");
   app.set_version_flag("--version", program + " " EHM_VERSION);
+  if (line.more_options) line.more_options(app);
   add_man_flag(app, {&app, commands, &schema});
   schema.add_flags(app);
   try {

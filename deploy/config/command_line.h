@@ -2,6 +2,7 @@
 // The command line that every service has: --config, --print-config, --check-config, --help, --man, --version, and one
 // flag a key of its schema.
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -10,8 +11,9 @@
 namespace ehm::config {
 
 struct CommandLine {
-  std::string file;           ///< of --config; empty: none
-  bool check_config = false;  ///< read everything, start nothing
+  std::string file;                             ///< of --config; empty: none
+  bool check_config = false;                    ///< read everything, start nothing
+  std::function<void(CLI::App&)> more_options;  ///< adds what only this program has; may be empty
 };
 
 /// Parses and answers what needs no configuration. Returns the exit code if the program is to end with that.

@@ -1,5 +1,6 @@
 #include "monitor/export/health_answer.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -53,7 +54,8 @@ HttpAnswer health_answer(const FleetView& fleet, const Loops& loops) {
 HttpAnswer ready_answer(const FleetView& fleet) {
   json reasons = json::array();
   const json stale = engines_at(fleet, StatusLevel::stale), error = engines_at(fleet, StatusLevel::error);
-  if (fleet.empty()) reasons.push_back("no engine has been heard");
+  const bool heard = std::any_of(fleet.begin(), fleet.end(), [](const auto& e) { return e.second.status_ns != 0; });
+  if (!heard) reasons.push_back("no engine has been heard");
   if (!stale.empty()) reasons.push_back("no input from engines " + stale.dump());
   if (!error.empty()) reasons.push_back("no estimate can be made for engines " + error.dump());
   return answer({{"ready", reasons.empty()}, {"reasons", reasons}, {"engines", engines_by_level(fleet)}},

@@ -2,6 +2,7 @@
 
 #include <prometheus/text_serializer.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "monitor/export/process_metrics.h"
@@ -55,14 +56,14 @@ constexpr StatusMetric engine_metrics[]{
     EHM_COUNTER("ehm_filter_restarts_total", filter_restarts, "Cold starts of the filter."),
     EHM_COUNTER("ehm_deadline_misses_total", deadline_misses, "Estimates later than one sample time."),
     EHM_COUNTER("ehm_writes_refused_total", writes_refused, "Estimates that the middleware did not take."),
-    EHM_COUNTER("ehm_input_deadline_misses_total", input_deadline_misses,
-                "Deadlines on EngineSensors that the middleware saw missed."),
-    EHM_COUNTER("ehm_input_liveliness_losses_total", input_liveliness_losses,
-                "Times that the writer of EngineSensors lost its liveliness."),
 };
 
 /// Counted for the whole service; every status carries them, the largest is the newest.
 constexpr StatusMetric service_metrics[]{
+    EHM_COUNTER("ehm_input_deadline_misses_total", input_deadline_misses,
+                "Deadlines on EngineSensors that the middleware saw missed."),
+    EHM_COUNTER("ehm_input_liveliness_losses_total", input_liveliness_losses,
+                "Times that the writer of EngineSensors lost its liveliness."),
     EHM_COUNTER("ehm_unknown_engine_samples_total", unknown_engine_samples, "Samples of engines without a design."),
     EHM_COUNTER("ehm_reports_lost_total", reports_lost, "Events and status that the reporter's queue had no room for."),
     EHM_COUNTER("ehm_records_lost_total", records_lost, "Samples that the recorder's queue had no room for."),
@@ -93,12 +94,12 @@ class Fleet {
     all.push_back({name, value});
     return all;
   }
-  /// `add(family, id, engine)` for each engine that has published a status.
+  /// `add(family, id, engine)` for each engine that has published a status, and for 0, the service, if it is asked for.
   template <class Add>
-  MetricFamily family(const char* name, const char* help, MetricType type, Add&& add) const {
+  MetricFamily family(const char* name, const char* help, MetricType type, Add&& add, bool with_service = false) const {
     MetricFamily family{name, help, type, {}};
     for (const auto& [id, engine] : view_.fleet)
-      if (engine.status_ns != 0) add(family, id, engine);
+      if (engine.status_ns != 0 || (id == 0 && with_service)) add(family, id, engine);
     return family;
   }
   MetricFamily family(const StatusMetric& m) const {
@@ -121,6 +122,23 @@ class Fleet {
   std::string source_;
 };
 
+std::uint64_t heard(const FleetView& fleet) {
+  return static_cast<std::uint64_t>(
+      std::count_if(fleet.begin(), fleet.end(), [](const auto& engine) { return engine.second.status_ns != 0; }));
+}
+
+/// `value`: of each channel that is estimated.
+MetricFamily estimates(const Fleet& fleet, const char* name, const char* help, double EstimateView::*value) {
+  return fleet.family(name, help, MetricType::Gauge, [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
+    for (const EstimateView& e : engine.estimates) {
+      Labels all = fleet.labels(id, "kind", e.kind);
+      all.push_back({"channel", e.channel});
+      all.push_back({"unit", e.unit});
+      f.metric.push_back(sample(std::move(all), e.*value));
+    }
+  });
+}
+
 MetricFamily latencies(const Fleet& fleet) {
   return fleet.family("ehm_latency_seconds", "From a sample's reception to its estimate's publication, by percentile.",
                       MetricType::Gauge, [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
@@ -142,25 +160,28 @@ MetricFamily flags(const Fleet& fleet) {
 }
 
 MetricFamily events(const Fleet& fleet) {
-  return fleet.family("ehm_events_total", "Conditions that began, by kind.", MetricType::Counter,
-                      [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
-                        for (std::size_t kind = 1; kind < wire::event_kind_names.size(); ++kind)
-                          f.metric.push_back(sample(fleet.labels(id, "kind", wire::event_kind_names[kind]),
-                                                    number(engine.raised[kind])));
-                      });
+  return fleet.family(
+      "ehm_events_total", "Conditions that began, by kind.", MetricType::Counter,
+      [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
+        for (std::size_t kind = 1; kind < wire::event_kind_names.size(); ++kind)
+          f.metric.push_back(
+              sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
+      },
+      true);
 }
 
 MetricFamily conditions(const Fleet& fleet) {
-  return fleet.family("ehm_condition_active", "1 while the condition is raised; absent before it was first raised.",
-                      MetricType::Gauge, [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
-                        for (const auto& [key, state] : engine.conditions) {
-                          const char* kind =
-                              key.first < wire::event_kind_names.size() ? wire::event_kind_names[key.first] : "?";
-                          Labels all = fleet.labels(id, "kind", kind);
-                          all.push_back({"channel", state.first});
-                          f.metric.push_back(sample(std::move(all), state.second ? 1 : 0));
-                        }
-                      });
+  return fleet.family(
+      "ehm_condition_active", "1 while the condition is raised; absent before it was first raised.", MetricType::Gauge,
+      [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
+        for (const auto& [key, state] : engine.conditions) {
+          const char* kind = key.first < wire::event_kind_names.size() ? wire::event_kind_names[key.first] : "?";
+          Labels all = fleet.labels(id, "kind", kind);
+          all.push_back({"channel", state.first});
+          f.metric.push_back(sample(std::move(all), state.second ? 1 : 0));
+        }
+      },
+      true);
 }
 
 MetricFamily engine_info(const Fleet& fleet) {
@@ -182,10 +203,14 @@ std::string metrics_text(const ServiceView& view) {
   families.push_back(fleet.service_family("ehm_cycle_turns_total", "Turns of the real-time loop, at least 60 a second.",
                                           MetricType::Counter, {}, number(view.cycle_turns)));
   families.push_back(fleet.service_family("ehm_engines", "Engines that a status has been published of.",
-                                          MetricType::Gauge, {}, number(view.fleet.size())));
+                                          MetricType::Gauge, {}, number(heard(view.fleet))));
   for (const StatusMetric& m : service_metrics) families.push_back(fleet.service_family(m));
   for (const StatusMetric& m : engine_metrics) families.push_back(fleet.family(m));
   families.push_back(latencies(fleet));
+  families.push_back(estimates(fleet, "ehm_estimate", "Estimated health parameter or output, in the channel's unit.",
+                               &EstimateView::value));
+  families.push_back(estimates(fleet, "ehm_estimate_sigma", "Standard deviation of the estimate's whole error.",
+                               &EstimateView::sigma));
   families.push_back(flags(fleet));
   families.push_back(events(fleet));
   families.push_back(conditions(fleet));

@@ -32,7 +32,7 @@ void expect_good_names(const Exposition& metrics) {
     EXPECT_TRUE(family.help.ends_with('.')) << name;
     static const std::regex scaled_unit("_(us|ms|ns|percent|kilobytes|minutes|hours|milliseconds|microseconds)(_|$)");
     EXPECT_FALSE(std::regex_search(name, scaled_unit)) << name;
-    for (const auto& [labels, value] : family.series) EXPECT_TRUE(name.ends_with("_seconds") || value >= 0) << name;
+    for (const auto& [labels, value] : family.series) EXPECT_TRUE(value >= 0 || name == "ehm_estimate") << name;
   }
 }
 
@@ -54,11 +54,27 @@ void expect_equal(const Exposition& metrics, const MonitorStatus& s) {
                                               {"ehm_sensor_rejections_total", s.sensor_rejections()},
                                               {"ehm_deadline_misses_total", s.deadline_misses()},
                                               {"ehm_writes_refused_total", s.writes_refused()},
+                                              {"ehm_input_rate_hertz", s.rate_hz()},
                                               {"ehm_latency_max_seconds", 1e-6 * s.latency_max_us()}};
   for (const auto& [name, value] : counted) EXPECT_DOUBLE_EQ(metrics.value(name, engine_1), value) << name;
   Labels p99 = engine_1;
   p99["percentile"] = "99";
   EXPECT_DOUBLE_EQ(metrics.value("ehm_latency_seconds", p99), 1e-6 * s.latency_p99_us());
+}
+
+/// As published, to single precision, of some sample up to one status period before the scrape.
+void expect_estimates(const Exposition& metrics, const Listener& heard) {
+  Labels labels = engine_1;
+  labels["channel"] = "hpc_efficiency";
+  labels["unit"] = "fraction";
+  const double value = metrics.value("ehm_estimate", labels), sigma = metrics.value("ehm_estimate_sigma", labels);
+  constexpr std::size_t hpc_efficiency = 4;
+  EXPECT_TRUE(std::any_of(heard.health.begin(), heard.health.end(),
+                          [&](const EngineHealth& h) {
+                            return static_cast<float>(h.health()[hpc_efficiency]) == static_cast<float>(value) &&
+                                   static_cast<float>(h.sigma_total()[hpc_efficiency]) == static_cast<float>(sigma);
+                          }))
+      << value << " +- " << sigma;
 }
 
 TEST_F(MetricsTest, SayWhatTheStatusSays) {
@@ -95,6 +111,7 @@ TEST_F(MetricsTest, SayWhatTheStatusSays) {
   sensor_fault["channel"] = event->channel_name().c_str();
   EXPECT_EQ(after.value("ehm_condition_active", sensor_fault), 1.0);
   EXPECT_EQ(get("/ready").status, 200);
+  expect_estimates(after, listener_);
 
   simulator->signal(SIGTERM);
   ASSERT_TRUE(listener_.await([&] {
@@ -105,6 +122,7 @@ TEST_F(MetricsTest, SayWhatTheStatusSays) {
   expect_equal(scrape(), listener_.status.back());
   const auto ready = get("/ready");
   EXPECT_EQ(ready.status, 503);
+  EXPECT_FALSE(scrape().has("ehm_estimate"));  // without input there is none
   EXPECT_EQ(nlohmann::json::parse(ready.body)["engines"]["STALE"], nlohmann::json::array({1}));
   EXPECT_EQ(get("/health").status, 200);  // an engine that is off is no reason to restart the monitor
   EXPECT_EQ(get("/else").status, 404);
