@@ -28,6 +28,7 @@ done
 [ -z "$(find s \( -name '*.key' -o -name key.pem \) ! -perm 0600)" ] || fail "a private key that others can read"
 grep -q '<metadata_protection_kind>ENCRYPT<' governance && grep -q '<min>3</min><max>9</max>' governance ||
   fail "the governance is not what was asked for"
+grep -q '<rtps_protection_kind>NONE<' governance || fail "protection of whole messages lets a forged length through"
 grep -q '<publish>' s/viewer/permissions.xml && fail "a viewer that may publish"
 grep -q 'EngineSensors' s/viewer/permissions.xml && fail "a viewer that may read sensors"
 
