@@ -38,4 +38,8 @@ fi
 
 EHM_CMAKE_ARGS=-DEHM_WERROR=ON deploy/build.sh "$build"
 if [ "$full" = yes ]; then tests/packages/packages.sh "$build" || [ $? -eq 77 ]; fi
+if [ "$full" = yes ]; then
+  ctest --test-dir "$build" -R '^integration.(linearise|design)$'
+  tests/fleet/namespaces.sh "$build" "$build/tests/integration/design.json" || [ $? -eq 77 ]
+fi
 ctest --test-dir "$build" --output-on-failure -j2
