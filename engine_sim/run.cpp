@@ -10,9 +10,9 @@
 #include "deploy/service/watchdog.h"
 #include "engine_sim/dds/command_reader.h"
 #include "engine_sim/dds/lockstep.h"
-#include "engine_sim/dds/participant_options.h"
 #include "engine_sim/dds/sim_publisher.h"
 #include "engine_sim/dds/wait_for_readers.h"
+#include "engine_sim/dds/watched_participant.h"
 #include "engine_sim/pacer.h"
 
 namespace ehm::engine {
@@ -62,7 +62,7 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   const double rate = config.rate_factor();
   const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
 
-  wire::Participant participant(participant_options(config, "engine_sim " + std::to_string(config.scenario.engine_id)));
+  WatchedParticipant participant(config, "engine_sim " + std::to_string(scenario.engine_id));
   SimPublisher publisher(participant, scenario);
   CommandReader commands(participant, engine_id);
   std::optional<Lockstep> lockstep;
