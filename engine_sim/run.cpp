@@ -7,13 +7,12 @@
 #include <optional>
 
 #include "deploy/service/notify.h"
-#include "deploy/service/security_watch.h"
 #include "deploy/service/watchdog.h"
 #include "engine_sim/dds/command_reader.h"
 #include "engine_sim/dds/lockstep.h"
-#include "engine_sim/dds/participant_options.h"
 #include "engine_sim/dds/sim_publisher.h"
 #include "engine_sim/dds/wait_for_readers.h"
+#include "engine_sim/dds/watched_participant.h"
 #include "engine_sim/pacer.h"
 
 namespace ehm::engine {
@@ -63,13 +62,7 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   const double rate = config.rate_factor();
   const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
 
-  auto options = participant_options(config, "engine_sim " + std::to_string(config.scenario.engine_id));
-  auto incidents = service::hear_incidents(options);
-  wire::Participant participant(std::move(options));
-  std::optional<service::SecurityWatch> security;
-  if (!config.security.empty())
-    security.emplace(participant, std::move(incidents),
-                     [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); });
+  WatchedParticipant participant(config, "engine_sim " + std::to_string(scenario.engine_id));
   SimPublisher publisher(participant, scenario);
   CommandReader commands(participant, engine_id);
   std::optional<Lockstep> lockstep;

@@ -10,8 +10,8 @@
 
 #include "deploy/service/notify.h"
 #include "deploy/service/watchdog.h"
-#include "engine_sim/dds/participant_options.h"
 #include "engine_sim/dds/wait_for_readers.h"
+#include "engine_sim/dds/watched_participant.h"
 #include "engine_sim/replay/replay_answers.h"
 #include "engine_sim/replay/replay_message.h"
 #include "engine_sim/replay/replay_timeline.h"
@@ -50,7 +50,7 @@ class Replay {
       : rows_(rows),
         rate_(config.rate_factor()),
         stamps_now_(config.replay.stamps == "now"),
-        participant_(participant_options(config, "engine_sim replay")),
+        participant_(config, "engine_sim replay"),
         sensors_(participant_),
         descriptions_(participant_) {
     if (rate_ == 0.0) answers_.emplace(participant_, static_cast<std::size_t>(config.lockstep_window));
@@ -104,7 +104,7 @@ class Replay {
   recording::RowSource& rows_;
   double rate_;
   bool stamps_now_;
-  wire::Participant participant_;
+  WatchedParticipant participant_;
   wire::Writer<EngineSensors> sensors_;
   wire::Writer<EngineDescription> descriptions_;
   std::optional<ReplayAnswers> answers_;
