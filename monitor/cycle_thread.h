@@ -12,6 +12,7 @@
 #include "monitor/engine_table.h"
 #include "monitor/realtime/arrival_clock.h"
 #include "monitor/redundancy/peer_watch.h"
+#include "monitor/reload/table_exchange.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
@@ -20,7 +21,7 @@ class CycleThread {
  public:
   /// `checkpoints` may be null: none are kept then.
   CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
-              CheckpointKeeper* checkpoints);
+              CheckpointKeeper* checkpoints, TableExchange& exchange);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
@@ -36,7 +37,9 @@ class CycleThread {
   void obey(const MonitorCommand& command);
   void watch_input(std::int64_t now_ns);
   void first_sample(EngineSlot& slot);
-  bool become_incumbent();
+  bool set_strength(std::uint32_t strength);
+  void notice_stall(std::int64_t now_ns);
+  void exchange_table();
   void release(EngineSlot& slot);
   void release_all();
   static bool between_samples(const EngineSlot& slot, std::int64_t now_ns);
@@ -49,7 +52,8 @@ class CycleThread {
   bool source_clock_;
   std::int64_t status_period_ns_;
   std::int64_t start_ns_;
-  EngineTable& engines_;
+  EngineTable* engines_;  ///< exchanged at a reload, between two turns
+  TableExchange& exchange_;
   ReportQueue& reports_;
   CheckpointKeeper* checkpoints_;
   std::uint64_t unknown_engine_samples_ = 0;
@@ -63,7 +67,9 @@ class CycleThread {
   wire::Writer<EngineHealth> health_;
   wire::Writer<EngineAuxiliary> auxiliary_;
   wire::Writer<EngineResiduals> residuals_;
-  bool leaving_ = false;  ///< engines are to be released
+  bool leaving_ = false;             ///< engines are to be released
+  std::int64_t turn_ns_ = 0;         ///< monotonic, when this turn began; under exclusive ownership only
+  std::int64_t quiet_until_ns_ = 0;  ///< no estimates are written before
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 
@@ -71,7 +77,6 @@ class CycleThread {
   EngineHealth health_sample_;
   EngineAuxiliary auxiliary_sample_;
   EngineResiduals residuals_sample_;
-  wire::Redundancy redundancy_;
   std::unique_ptr<PeerWatch> peers_;  ///< null unless ownership is exclusive
 };
 

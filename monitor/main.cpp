@@ -14,6 +14,26 @@
 #include "monitor/listen/listen.h"
 #include "monitor/service.h"
 
+namespace {
+
+/// What a reload reads: the same file, environment and command line, as they are then.
+ehm::monitor::LoadedConfig read_again(int argc, char** argv) {
+  using namespace ehm;
+  monitor::LoadedConfig loaded;
+  config::Schema schema;
+  monitor::declare(schema, loaded.config);
+  monitor::ListenOptions ignored;
+  config::CommandLine line;
+  line.more_options = [&ignored](CLI::App& app) { monitor::declare(app, ignored); };
+  config::parse_command_line(argc, argv, "monitor", "", schema, line);
+  schema.load(line.file);
+  monitor::finish_config(loaded.config);
+  loaded.values = schema.values();
+  return loaded;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace ehm;
   spdlog::set_default_logger(spdlog::stderr_color_mt("monitor"));
@@ -48,7 +68,7 @@ int main(int argc, char** argv) {
   try {
     if (listen.wanted)
       return monitor::listen(config, *engines, listen, std::cout) ? service::exit_ok : service::exit_failed;
-    monitor::run_service(config, *engines);
+    monitor::run_service(config, *engines, {schema.values(), [=] { return read_again(argc, argv); }});
     return service::exit_ok;
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';

@@ -60,7 +60,7 @@ struct Checkpoints {
 
 }  // namespace
 
-void run_service(const MonitorConfig& config, EngineTable& engines) {
+void run_service(const MonitorConfig& config, EngineTable& engines, const ReloadSource& source) {
   const service::StopSignal stop;
   NoticeBoard notices;
   InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
@@ -74,7 +74,9 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   Reporter reporter(participant, source_id, *reports, notices, input, board);
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
-  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr);
+  TableExchange exchange;
+  const Reloader reloader(source, exchange, notices);
+  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr, exchange);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
