@@ -15,6 +15,7 @@
 #include "engine_sim/commands.h"
 #include "engine_sim/run.h"
 #include "engine_sim/scenario/scenario_file.h"
+#include "idl/dds/security.h"
 
 int main(int argc, char** argv) {
   using namespace ehm;
@@ -37,6 +38,7 @@ int main(int argc, char** argv) {
   try {
     schema.load(line.file);
     engine::finish_config(config);
+    wire::check_security(config.security);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
   } catch (const std::exception& e) {
     std::cerr << "engine_sim: " << e.what() << '\n';

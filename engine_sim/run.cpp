@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "deploy/service/notify.h"
+#include "deploy/service/security_watch.h"
 #include "deploy/service/watchdog.h"
 #include "engine_sim/dds/command_reader.h"
 #include "engine_sim/dds/lockstep.h"
@@ -33,6 +34,7 @@ wire::ParticipantOptions participant_options(const SimConfig& config) {
   options.profiles_file = config.profiles_file;
   options.profile = config.profile;
   options.partition = config.partition;
+  options.security = config.security;
   options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
   return options;
 }
@@ -78,7 +80,13 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   const double rate = config.rate_factor();
   const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
 
-  wire::Participant participant(participant_options(config));
+  auto options = participant_options(config);
+  auto incidents = service::hear_incidents(options);
+  wire::Participant participant(std::move(options));
+  std::optional<service::SecurityWatch> security;
+  if (!config.security.empty())
+    security.emplace(participant, std::move(incidents),
+                     [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); });
   SimPublisher publisher(participant, scenario);
   CommandReader commands(participant, engine_id);
   std::optional<Lockstep> lockstep;

@@ -131,6 +131,9 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", m.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
   schema.text("dds.profile", m.profile, "participant profile to take from dds.profiles_file");
+  schema.text(
+      "dds.security", m.security,
+      "directory of certificates and permissions that make_security.sh made; empty: no security, anybody may join");
   schema.choice("dds.ownership", m.ownership, {"shared", "exclusive"},
                 "of the estimate topics; exclusive for redundant monitors, and their readers must ask for it");
   schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",

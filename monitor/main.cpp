@@ -8,6 +8,7 @@
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
+#include "idl/dds/security.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
@@ -53,6 +54,7 @@ int main(int argc, char** argv) {
   try {
     schema.load(line.file);
     monitor::finish_config(config);
+    wire::check_security(config.security);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
     if (!config.checkpoint_directory.empty()) monitor::require_writable_folder(config.checkpoint_directory);
     engines = std::make_unique<monitor::EngineTable>(config);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "deploy/service/notify.h"
+#include "deploy/service/security_watch.h"
 #include "deploy/service/stop_signal.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/cycle_thread.h"
@@ -21,6 +22,7 @@ wire::ParticipantOptions service_participant(const MonitorConfig& config) {
   options.profiles_file = config.profiles_file;
   options.profile = config.profile;
   options.partition = config.partition;
+  options.security = config.security;
   options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
   return options;
 }
@@ -64,14 +66,21 @@ void run_service(const MonitorConfig& config, EngineTable& engines, const Reload
   const service::StopSignal stop;
   NoticeBoard notices;
   InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
+  auto options = watched_participant(config, notices, input);
+  auto incidents = service::hear_incidents(options);
   wire::Participant participant = [&] {
     const MiddlewarePolicy inherited(config.realtime);
-    return wire::Participant(watched_participant(config, notices, input));
+    return wire::Participant(std::move(options));
   }();
   auto reports = std::make_unique<ReportQueue>();
   const auto source_id = static_cast<std::uint32_t>(config.source_id);
   StatusBoard board;
   Reporter reporter(participant, source_id, *reports, notices, input, board);
+  std::optional<service::SecurityWatch> security;
+  if (!config.security.empty())
+    security.emplace(participant, std::move(incidents), [&](const auto& text, auto times) {
+      notices.post({wire::EventKind::security, true, service::incident_text(text, times)});
+    });
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
   TableExchange exchange;

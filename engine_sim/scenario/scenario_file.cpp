@@ -167,6 +167,9 @@ void declare(Schema& schema, SimConfig& c) {
   schema.text("dds.partition", c.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", c.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
   schema.text("dds.profile", c.profile, "participant profile to take from dds.profiles_file");
+  schema.text(
+      "dds.security", c.security,
+      "directory of certificates and permissions that make_security.sh made; empty: no security, anybody may join");
   schema.choice("log.level", c.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
   declare_tables(schema, s);
 }

@@ -27,7 +27,7 @@ struct SimConfig {
   std::int64_t lockstep_window = 16;  ///< samples that may be unanswered under "max"
   std::int64_t wait_for_monitors = 0;
   std::int64_t domain = 0;
-  std::string partition, profiles_file, profile = "ehm_participant";
+  std::string partition, profiles_file, profile = "ehm_participant", security;
   std::string log_level = "info";
 
   /// Rate as a number; 0 for "max".
