@@ -13,6 +13,7 @@
 #include "monitor/realtime/arrival_clock.h"
 #include "monitor/record/record_feed.h"
 #include "monitor/redundancy/peer_watch.h"
+#include "monitor/reload/table_exchange.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
@@ -21,7 +22,7 @@ class CycleThread {
  public:
   /// `checkpoints` and `records` may be null: none are kept then.
   CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
-              CheckpointKeeper* checkpoints, RecordFeed* records);
+              CheckpointKeeper* checkpoints, RecordFeed* records, TableExchange& exchange);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
@@ -38,7 +39,9 @@ class CycleThread {
   void watch_input(std::int64_t now_ns);
   void judge_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
-  bool become_incumbent();
+  bool set_strength(std::uint32_t strength);
+  void notice_stall(std::int64_t now_ns);
+  void exchange_table();
   void release(EngineSlot& slot);
   void release_all();
   static bool between_samples(const EngineSlot& slot, std::int64_t now_ns);
@@ -51,7 +54,8 @@ class CycleThread {
   bool source_clock_;
   std::int64_t status_period_ns_;
   std::int64_t start_ns_;
-  EngineTable& engines_;
+  EngineTable* engines_;  ///< exchanged at a reload, between two turns
+  TableExchange& exchange_;
   ReportQueue& reports_;
   CheckpointKeeper* checkpoints_;
   RecordFeed* records_;
@@ -66,7 +70,9 @@ class CycleThread {
   wire::Writer<EngineHealth> health_;
   wire::Writer<EngineAuxiliary> auxiliary_;
   wire::Writer<EngineResiduals> residuals_;
-  bool leaving_ = false;  ///< engines are to be released
+  bool leaving_ = false;             ///< engines are to be released
+  std::int64_t turn_ns_ = 0;         ///< monotonic, when this turn began; under exclusive ownership only
+  std::int64_t quiet_until_ns_ = 0;  ///< no estimates are written before
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 
@@ -74,7 +80,6 @@ class CycleThread {
   EngineHealth health_sample_;
   EngineAuxiliary auxiliary_sample_;
   EngineResiduals residuals_sample_;
-  wire::Redundancy redundancy_;
   std::unique_ptr<PeerWatch> peers_;  ///< null unless ownership is exclusive
 };
 

@@ -81,6 +81,9 @@ class MonitorCycle {
   const estimation::ErrorPropagation& error() const noexcept { return error_; }
   const design::Design& design() const noexcept { return *design_; }
   const CycleCounters& counters() const noexcept { return counters_; }
+  /// Goes on counting for a predecessor.
+  void adopt(const CycleCounters& counters) noexcept { counters_ = counters; }
+  const CycleOptions& options() const noexcept { return options_; }
   /// Of the latest sample that was in order.
   const CycleResult& result() const noexcept { return result_; }
   bool stale() const noexcept { return input_lost_.raised(); }

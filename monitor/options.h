@@ -15,6 +15,7 @@ struct CheckOptions {
   std::int64_t bridge_samples = 5;       ///< bad samples in a row that are bridged before the sensor is declared faulty
   std::int64_t requalify_samples = 200;  ///< good samples in a row before it is used again
   double restart_gap_s = 2.0;            ///< a longer gap, or a larger jump back in time, restarts the filter
+  friend bool operator==(const CheckOptions&, const CheckOptions&) = default;
 };
 
 /// How far from the design's operating point its linear model is trusted.
@@ -25,18 +26,21 @@ struct ValidityOptions {
   double actuator_percent = 15.0;  ///< of trim, where that is not zero
   double vane_deg = 3.0;           ///< of an actuator in degrees
   double bleed_fraction = 0.03;    ///< of an actuator in fractions of a flow
+  friend bool operator==(const ValidityOptions&, const ValidityOptions&) = default;
 };
 
 struct ShiftOptions {
   double window_s = 4.0;       ///< the estimate is compared with itself this long ago
   double persistence_s = 1.0;  ///< the change must last this long before it is named
   double false_alarm_per_hour = 1e-3;
+  friend bool operator==(const ShiftOptions&, const ShiftOptions&) = default;
 };
 
 /// Raised when the estimate leaves [min, max]; cleared when it is back inside by `hysteresis`.
 struct LimitOptions {
   std::string quantity;  ///< name of a health or auxiliary channel
   double min, max, hysteresis;
+  friend bool operator==(const LimitOptions&, const LimitOptions&) = default;
 };
 
 /// Everything that the cycles see and say, in a file (deploy/docs/recording.md).
@@ -59,6 +63,7 @@ struct CycleOptions {
   ShiftOptions shift;
   std::vector<LimitOptions> limits;
   double stale_periods = 3.0;
+  friend bool operator==(const CycleOptions&, const CycleOptions&) = default;
 };
 
 }  // namespace ehm::monitor
