@@ -10,8 +10,9 @@
 namespace ehm::monitor {
 
 struct EngineSlot {
-  EngineSlot(std::shared_ptr<const design::Design> design, const CycleOptions& options)
-      : cycle(std::move(design), options) {}
+  EngineSlot(std::shared_ptr<const design::Design> design, const CycleOptions& options,
+             std::shared_ptr<const FaultTables> faults)
+      : cycle(std::move(design), options, std::move(faults)) {}
 
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet
   MonitorCycle cycle;

@@ -19,8 +19,11 @@
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/estimation/tuner_filter.h"
 #include "monitor/judge/events.h"
+#include "monitor/judge/fault_detector.h"
 #include "monitor/judge/limit_watch.h"
 #include "monitor/judge/shift_detector.h"
+#include "monitor/judge/slow_bias.h"
+#include "monitor/judge/ungated_filter.h"
 #include "monitor/judge/validity.h"
 #include "monitor/options.h"
 #include "monitor/sample.h"
@@ -51,9 +54,10 @@ struct CycleResult {
 
 class MonitorCycle {
  public:
-  /// `design` is shared by all engines of its type.
+  /// `design` and the `faults` made of it are shared by all engines of its type; without `faults` they are made here.
   /// @throws std::invalid_argument if an option does not fit the design (names it).
-  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options);
+  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options,
+               std::shared_ptr<const FaultTables> faults = nullptr);
 
   /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
   /// result stands. Real-time safe: yes.
@@ -67,6 +71,7 @@ class MonitorCycle {
   const estimation::TunerFilter& filter() const noexcept { return filter_; }
   const estimation::ErrorPropagation& error() const noexcept { return error_; }
   const design::Design& design() const noexcept { return *design_; }
+  const FaultDetector& faults() const noexcept { return faults_; }
   const CycleCounters& counters() const noexcept { return counters_; }
   /// Of the latest sample that was in order.
   const CycleResult& result() const noexcept { return result_; }
@@ -86,9 +91,14 @@ class MonitorCycle {
   void gate() noexcept;
   void qualify() noexcept;
   void update() noexcept;
+  void detect(int steps) noexcept;
+  void declare(const FaultVerdict& verdict) noexcept;
+  void declare_sensor(const FaultVerdict& verdict) noexcept;
+  void settle_ambiguity(bool decided) noexcept;
   void choose_design() noexcept;
   void exclude(int sensor) noexcept;
   void readmit() noexcept;
+  void take_out_fault() noexcept;
   void judge() noexcept;
   std::uint32_t estimate_flags() const noexcept;
 
@@ -103,9 +113,14 @@ class MonitorCycle {
   SampleTimeWatch sample_time_;
   SensorCheck sensor_check_;
   std::vector<Qualification> qualification_;
+  std::vector<std::int64_t> gated_;  ///< values in a row that only the innovation gate held back, by sensor
   ReturnGate return_gate_;
   Validity validity_;
+  UngatedFilter ungated_;
+  FaultDetector faults_;
+  FaultVerdict declared_;  ///< of this sample
   ShiftDetector shift_;
+  SlowBias slow_bias_;
   LimitWatch limits_;
 
   estimation::SensorVector dy_, sensor_trim_;  ///< deviations from trim, NaN where there is no value
@@ -113,7 +128,10 @@ class MonitorCycle {
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;
-  Condition no_design_, input_lost_, second_source_;
+  Condition no_design_, input_lost_, second_source_, ambiguous_;
+  std::uint32_t ambiguous_channel_ = 0;
+  std::int64_t unambiguous_samples_ = 0;
+  estimation::AugmentedVector shift_by_;
   EventList events_;
   CycleCounters counters_;
   CycleResult result_;

@@ -31,6 +31,8 @@ class Qualification {
     return state_;
   }
   State state() const noexcept { return state_; }
+  /// Somebody else found it faulty.
+  void exclude() noexcept { become(State::excluded); }
   void reset() noexcept { become(State::trusted); }
 
  private:
