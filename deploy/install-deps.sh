@@ -17,8 +17,8 @@ packages=(
   libsystemd-dev prometheus-cpp-dev libcpp-httplib-dev
   # an independent DDS for the interoperability tests and the C example; Fast DDS' discovery server
   cyclonedds-dev cyclonedds-tools fastdds-tools
-  # what the tests ask beside: certificates, unit files, recordings read by others, hosts in network namespaces
-  openssl systemd python3-h5py iproute2 curl
+  # what the tests ask beside: certificates, unit files, manual pages, recordings read by others, hosts in network namespaces
+  openssl systemd man-db python3-h5py python3-yaml iproute2 curl
   # measurements: tests/bench
   libbenchmark-dev valgrind
   # pictures of the documentation

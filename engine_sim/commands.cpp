@@ -1,7 +1,6 @@
 #include "engine_sim/commands.h"
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <ostream>
 #include <string>
 
@@ -12,6 +11,11 @@
 
 namespace ehm::engine {
 
+void add_commands(CLI::App& app, Command& run) {
+  add_deck_command(app, run);
+  add_maps_command(app, run);
+}
+
 std::optional<int> run_command(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const std::string command = argc > 1 ? argv[1] : "-";
   if (command.starts_with('-')) return std::nullopt;
@@ -19,12 +23,11 @@ std::optional<int> run_command(int argc, const char* const* argv, std::ostream& 
     err << "engine_sim: unknown command '" << command << "'; allowed are deck, maps, or the service's options\n";
     return service::exit_usage;
   }
-  std::function<void(std::ostream&, std::ostream&)> run;
+  Command run;
   CLI::App app("The truth of the engine health monitor.", "engine_sim");
   app.require_subcommand(1);
   app.footer(service::exit_code_help);
-  add_deck_command(app, run);
-  add_maps_command(app, run);
+  add_commands(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,10 +1,16 @@
 #pragma once
 // The offline commands of engine_sim: deck and maps. They need no DDS and no configuration.
 
+#include <CLI/App.hpp>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 
 namespace ehm::engine {
+
+using Command = std::function<void(std::ostream& out, std::ostream& err)>;
+/// The commands as subcommands of `app`; parsing sets `run` to the chosen one.
+void add_commands(CLI::App& app, Command& run);
 
 inline constexpr const char* command_help =
     "Commands: engine_sim deck (performance deck), engine_sim maps (pictures of the component maps); each with --help.";

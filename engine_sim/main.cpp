@@ -28,7 +28,11 @@ int main(int argc, char** argv) {
   config::CommandLine line;
   const std::string purpose =
       std::string("Flies a nonlinear turbofan and publishes its sensors on DDS.\n") + engine::command_help;
-  if (const auto code = config::parse_command_line(argc, argv, "engine_sim", purpose, schema, line)) return *code;
+  CLI::App commands;
+  engine::Command run_none;
+  engine::add_commands(commands, run_none);
+  if (const auto code = config::parse_command_line(argc, argv, "engine_sim", purpose, schema, line, &commands))
+    return *code;
 
   try {
     schema.load(line.file);

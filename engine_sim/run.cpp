@@ -7,6 +7,8 @@
 #include <optional>
 #include <thread>
 
+#include "deploy/service/notify.h"
+#include "deploy/service/watchdog.h"
 #include "engine_sim/dds/command_reader.h"
 #include "engine_sim/dds/lockstep.h"
 #include "engine_sim/dds/sim_publisher.h"
@@ -58,11 +60,14 @@ class SourceClock {
 
 /// Under lockstep somebody must listen and answer before the first sample, or its window would never be answered.
 void wait_for_monitors(const SimPublisher& publisher, const std::optional<Lockstep>& lockstep, std::int64_t wanted,
-                       const service::StopSignal& stop) {
+                       const service::StopSignal& stop, service::TurnCounter& turns) {
   if (lockstep) wanted = std::max<std::int64_t>(wanted, 1);
   const auto ready = [&] { return publisher.monitors() >= wanted && (!lockstep || lockstep->monitors() > 0); };
   if (!ready()) spdlog::info("waiting for {} reader(s) of EngineSensors", wanted);
-  while (!ready() && !stop.requested()) std::this_thread::sleep_for(match_poll);
+  while (!ready() && !stop.requested()) {
+    std::this_thread::sleep_for(match_poll);
+    turns.turned();
+  }
   if (wanted > 0 && !stop.requested()) std::this_thread::sleep_for(match_settling);
 }
 
@@ -79,7 +84,10 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   std::optional<Lockstep> lockstep;
   if (rate == 0.0) lockstep.emplace(participant, engine_id, static_cast<std::uint64_t>(config.lockstep_window));
   publisher.describe(simulation);
-  wait_for_monitors(publisher, lockstep, config.wait_for_monitors, stop);
+  service::TurnCounter turns;
+  const service::Watchdog watchdog(turns, "simulation");
+  service::notify_ready();
+  wait_for_monitors(publisher, lockstep, config.wait_for_monitors, stop, turns);
 
   spdlog::info("engine {} flies at {} m, Mach {}, fan speed {:.1f} rpm", engine_id, scenario.flight.altitude_m,
                scenario.flight.mach, simulation.nominal().speeds.n1_rpm);
@@ -94,8 +102,10 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
     const SimSample sample = simulation.next();
     refused += publisher.publish(sample, clock.stamp(sample.sequence)) ? 0u : 1u;
     ++sent;
+    turns.turned();
     if (!lockstep && !pacer.wait()) break;
   }
+  service::notify_stopping();
   if (!publisher.drain(1.0)) spdlog::warn("not every reader has acknowledged the last samples");
   spdlog::info("{} samples published, {} refused by the middleware, {} slips, worst lateness {:.3f} ms", sent, refused,
                pacer.slips(), 1e-6 * static_cast<double>(pacer.worst_ns()));

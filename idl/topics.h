@@ -12,29 +12,36 @@ enum class Delivery {
   state     ///< reliable, transient local: a late joiner gets the last value of each key
 };
 
+/// What a topic is to the monitor.
+enum class Role {
+  input,     ///< what it reads; the reader may ask for deadline and liveliness (InputRequest)
+  estimate,  ///< written by redundant monitors under exclusive ownership
+  other
+};
+
 template <class T>
 struct Topic;
 
-#define EHM_TOPIC(TYPE, DELIVERY, ESTIMATE)                  \
+#define EHM_TOPIC(TYPE, DELIVERY, ROLE)                      \
   template <>                                                \
   struct Topic<TYPE> {                                       \
     using PubSubType = TYPE##PubSubType;                     \
     static constexpr const char* name = #TYPE;               \
     static constexpr Delivery delivery = Delivery::DELIVERY; \
-    static constexpr bool estimate = ESTIMATE;               \
+    static constexpr bool estimate = ROLE == Role::estimate; \
+    static constexpr bool input = ROLE == Role::input;       \
   };
 
-// The last column: written by redundant monitors under exclusive ownership.
-EHM_TOPIC(EngineSensors, stream, false)
-EHM_TOPIC(EngineHealth, stream, true)
-EHM_TOPIC(EngineAuxiliary, stream, true)
-EHM_TOPIC(EngineResiduals, stream, true)
-EHM_TOPIC(EngineTruth, stream, false)
-EHM_TOPIC(EngineDescription, state, false)
-EHM_TOPIC(MonitorStatus, state, false)
-EHM_TOPIC(HealthEvent, state, false)
-EHM_TOPIC(SimCommand, command, false)
-EHM_TOPIC(MonitorCommand, command, false)
+EHM_TOPIC(EngineSensors, stream, Role::input)
+EHM_TOPIC(EngineHealth, stream, Role::estimate)
+EHM_TOPIC(EngineAuxiliary, stream, Role::estimate)
+EHM_TOPIC(EngineResiduals, stream, Role::estimate)
+EHM_TOPIC(EngineTruth, stream, Role::other)
+EHM_TOPIC(EngineDescription, state, Role::other)
+EHM_TOPIC(MonitorStatus, state, Role::other)
+EHM_TOPIC(HealthEvent, state, Role::other)
+EHM_TOPIC(SimCommand, command, Role::other)
+EHM_TOPIC(MonitorCommand, command, Role::other)
 
 #undef EHM_TOPIC
 

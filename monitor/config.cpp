@@ -4,6 +4,7 @@
 #include <set>
 
 #include "deploy/config/table_reader.h"
+#include "deploy/service/listen_address.h"
 
 namespace ehm::monitor {
 
@@ -63,6 +64,27 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
               "that the wear of an engine of the fleet alone looks like a slow bias of a sensor");
 }
 
+void declare_realtime(Schema& schema, RealtimeOptions& o) {
+  schema.choice("realtime.policy", o.policy, {"other", "fifo"},
+                "scheduling of the cycle thread; fifo needs a privilege, without it a warning says how to get it");
+  schema.integer("realtime.priority", o.priority, 1, 99, "", "of the cycle thread under fifo; 99 is the highest");
+  schema.flag("realtime.middleware_threads", o.middleware_threads,
+              "the threads of DDS, which receive the samples, are scheduled like the cycle thread");
+  schema.text("realtime.cpus", o.cpus, "processors of the cycle thread, such as 0,2-3; empty is all");
+  schema.flag("realtime.lock_memory", o.lock_memory,
+              "keep the process in memory (mlockall); needs a privilege or limit");
+  schema.integer("realtime.prefault_stack_kb", o.prefault_stack_kb, 0, 4096, "kB",
+                 "stack of the cycle thread that is touched before it runs");
+}
+
+void declare_checkpoint(Schema& schema, MonitorConfig& m) {
+  schema.text("checkpoint.directory", m.checkpoint_directory,
+              "existing folder for one checkpoint file per engine, from which a killed monitor resumes; empty is none");
+  schema.real("checkpoint.period_s", m.checkpoint_period_s, 0.1, 3600, "s", "time between checkpoints of an engine");
+  schema.real("checkpoint.max_age_s", m.checkpoint_max_age_s, 0.1, 1e6, "s",
+              "an older checkpoint, by our clock or by the source's, is not resumed: the filter starts cold");
+}
+
 void declare_tables(Schema& schema, MonitorConfig& m) {
   schema.tables(
       "engine", "which design flies for which engines: ids, design",
@@ -115,6 +137,8 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.choice("monitor.clock", m.clock, {"monotonic", "source"},
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
+  declare_realtime(schema, m.realtime);
+  declare_checkpoint(schema, m);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", m.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
@@ -123,7 +147,16 @@ void declare(Schema& schema, MonitorConfig& m) {
                 "of the estimate topics; exclusive for redundant monitors, and their readers must ask for it");
   schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",
                  "of this monitor under exclusive ownership; the strongest live one is seen");
+  schema.real(
+      "dds.input_deadline_s", m.input_deadline_s, 0, 60, "s",
+      "ask sources for a sample of each engine so often (engine_sim offers 0.1) and raise an event when it stays "
+      "away; sources that do not offer it are excluded; 0 asks for nothing");
+  schema.real("dds.input_lease_s", m.input_lease_s, 0, 60, "s",
+              "ask sources for a sign of life so often (engine_sim offers 1) and raise an event when it stays away; "
+              "sources that do not offer it are excluded; 0 asks for nothing");
   schema.choice("log.level", m.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
+  schema.text("metrics.listen", m.metrics_listen,
+              "HOST:PORT of the HTTP endpoint /metrics, /health, /ready; port 0 is any free one, empty is none");
   declare_tables(schema, m);
 }
 
@@ -131,6 +164,11 @@ void finish_config(const MonitorConfig& m) {
   if (m.design.empty() && m.engines.empty())
     throw ConfigError(
         "no design: set monitor.design (--monitor-design FILE) or an [[engine]] table; tuner_design makes the file");
+  try {
+    if (!m.metrics_listen.empty()) service::parse_listen_address(m.metrics_listen);
+  } catch (const std::invalid_argument& e) {
+    throw ConfigError(std::string("'metrics.listen' ") + e.what() + ", empty for none");
+  }
   std::set<std::int64_t> seen;
   for (const auto& e : m.engines)
     for (const auto id : e.ids)
@@ -140,6 +178,11 @@ void finish_config(const MonitorConfig& m) {
   if (static_cast<std::int64_t>(seen.size()) > m.max_engines)
     throw ConfigError("[[engine]] tables name " + std::to_string(seen.size()) +
                       " engines, monitor.max_engines allows " + std::to_string(m.max_engines));
+  try {
+    parse_cpu_list(m.realtime.cpus);
+  } catch (const std::invalid_argument& e) {
+    throw ConfigError(e.what());
+  }
 }
 
 }  // namespace ehm::monitor

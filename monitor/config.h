@@ -9,6 +9,7 @@
 
 #include "deploy/config/schema.h"
 #include "monitor/options.h"
+#include "monitor/realtime/rt_setup.h"
 
 namespace ehm::monitor {
 
@@ -26,12 +27,19 @@ struct MonitorConfig {
   double status_period_s = 1.0;
   std::string clock = "monotonic";
   CycleOptions cycle;
+  RealtimeOptions realtime;
+
+  std::string checkpoint_directory;  ///< empty: no checkpoints
+  double checkpoint_period_s = 5.0;
+  double checkpoint_max_age_s = 300.0;
 
   std::int64_t domain = 0;
   std::string partition, profiles_file, profile = "ehm_participant";
   std::string ownership = "shared";
   std::int64_t ownership_strength = 1;
+  double input_deadline_s = 0.0, input_lease_s = 0.0;
   std::string log_level = "info";
+  std::string metrics_listen = "127.0.0.1:9477";  ///< HOST:PORT; empty: none
 };
 
 /// Declares every key of `config`; load the schema, then call finish_config.

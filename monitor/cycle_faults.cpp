@@ -91,7 +91,7 @@ void MonitorCycle::exclude(int sensor) noexcept {
   const estimation::HealthVector health = filter_.health();
   const estimation::AuxiliaryVector auxiliary = filter_.auxiliary();
   filter_.switch_sensor_set(SensorSet::without(sensor));
-  error_.switch_to(error_models_[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
+  error_.switch_to((*error_models_)[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
   const double without_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
   const double bias = declared_.kind == FaultKind::sensor_bias ? declared_.size : 0.0;
   return_gate_.start(with_it - without_it, narrow, filter_.innovation_variance()(sensor), bias);
@@ -106,7 +106,7 @@ void MonitorCycle::exclude(int sensor) noexcept {
 
 void MonitorCycle::readmit() noexcept {
   const int sensor = filter_.sensor_set().missing();
-  error_.switch_to(error_models_.front(), filter_.gain().to_full);
+  error_.switch_to(error_models_->front(), filter_.gain().to_full);
   filter_.switch_sensor_set(SensorSet::full());
   // The prediction without the sensor missed it by so much; the full filter would end where it does not.
   const double sigmas = return_gate_.innovation_mean() / faults_.tables().noise_sigma(sensor);

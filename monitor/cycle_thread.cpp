@@ -13,19 +13,26 @@ using wire::StatusLevel;
 
 namespace {
 constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
+// The engines are looked through so often, not at each sample: with N engines that would be N^2 looks a sample time.
+constexpr std::int64_t watch_period_ns = 5'000'000;
+constexpr int most_samples_a_turn = 1024;  // so that an overload starves neither commands nor the watch
+constexpr int most_statuses_a_watch = 16;  // a thousand engines' are spread over 0.3 s
 // Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing;
 // a source that says nothing at all for so long is lost all the same.
 constexpr double source_silence_s = 2.0;
+constexpr std::int64_t malformed_period_ns = 1'000'000'000;
+constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that must be over within a second
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
-                         ReportQueue& reports)
+                         ReportQueue& reports, CheckpointKeeper* checkpoints)
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
       start_ns_(monotonic_ns()),
       engines_(engines),
       reports_(reports),
+      checkpoints_(checkpoints),
       sensors_(participant),
       commands_(participant),
       health_(participant),
@@ -37,14 +44,30 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
 }
 
 void CycleThread::run_once() {
-  wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(longest_wait_s)));
-  while (sensors_.take(incoming_)) handle(incoming_, sensors_.received_ns());
+  // The condition does not trigger again for samples that were left behind.
+  if (!backlog_) wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(longest_wait_s)));
+  arrival_.wake_up();
+  take_samples();
   MonitorCommand command;
   while (commands_.take(command)) obey(command);
-  watch_input();
+  if (const std::int64_t now_ns = monotonic_ns(); now_ns - watched_ns_ >= watch_period_ns) {
+    watched_ns_ = now_ns;
+    watch_input(now_ns);
+  }
+  turns_.turned();
+}
+
+void CycleThread::take_samples() {
+  int taken = 0;
+  while (taken < most_samples_a_turn && sensors_.take(incoming_)) {
+    handle(incoming_, arrival_.monotonic_of(sensors_.received_ns()));
+    ++taken;
+  }
+  backlog_ = taken == most_samples_a_turn;
 }
 
 void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
+  turns_.turned();
   EngineSlot* slot = engines_.find(sensors.engine_id(), sensors.schema() == wire::schema_version);
   if (!slot) {
     // Said once a thousand: a stray source must not fill the log.
@@ -52,12 +75,23 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
       reports_.push({Report::Kind::unknown_engine, sensors.engine_id(), nullptr, {}, unknown_engine_samples_, 0, {}});
     return;
   }
-  if (slot->received_ns == 0)
-    reports_.push({Report::Kind::new_engine, slot->engine_id, &slot->cycle.design(), {}, 0, 0, {}});
-  slot->received_ns = monotonic_ns();
   convert(sensors, slot->sample);
-  if (slot->cycle.process(slot->sample)) publish(*slot, slot->cycle.result(), arrival_ns);
+  slot->sample.writer = sensors_.writer();
+  const std::uint64_t malformed = slot->cycle.counters().malformed;
+  if (slot->cycle.counters().received == 0) first_sample(*slot);
+  if (slot->cycle.process(slot->sample)) {
+    slot->received_ns = arrival_ns;
+    slot->last_sequence = slot->sample.sequence;
+    publish(*slot, slot->cycle.result(), arrival_ns);
+  }
   report_events(*slot);
+  if (slot->cycle.counters().malformed != malformed) report_malformed(*slot);
+}
+
+void CycleThread::first_sample(EngineSlot& slot) {
+  reports_.push({Report::Kind::new_engine, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
+  if (!checkpoints_) return;
+  if (const auto event = checkpoints_->resume(slot)) report_event(slot, *event);
 }
 
 void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
@@ -65,11 +99,11 @@ void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int6
   if (result.estimates) {
     convert(slot.cycle, result, stamp, health_sample_);
     slot.writes_refused += !health_.write(health_sample_);
-    convert(slot.cycle, result, stamp, auxiliary_sample_);
-    slot.writes_refused += !auxiliary_.write(auxiliary_sample_);
-    const double latency_us = std::max(0.0, 1e-3 * static_cast<double>(wall_clock_ns() - arrival_ns));
+    const double latency_us = std::max(0.0, 1e-3 * static_cast<double>(monotonic_ns() - arrival_ns));
     slot.latency.record(latency_us);
     slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
+    convert(slot.cycle, result, stamp, auxiliary_sample_);
+    slot.writes_refused += !auxiliary_.write(auxiliary_sample_);
   }
   convert(result, stamp, residuals_sample_);
   slot.writes_refused += !residuals_.write(residuals_sample_);
@@ -85,8 +119,8 @@ void CycleThread::obey(const MonitorCommand& command) {
   });
 }
 
-void CycleThread::watch_input() {
-  const std::int64_t now_ns = monotonic_ns();
+void CycleThread::watch_input(std::int64_t now_ns) {
+  int statuses = 0;
   engines_.for_each([&](EngineSlot& slot) {
     const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
     const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
@@ -95,31 +129,52 @@ void CycleThread::watch_input() {
       report_events(slot);
     }
     const StatusLevel level = level_of(slot);
-    if (now_ns - slot.status_ns >= status_period_ns_ || static_cast<std::uint32_t>(level) != slot.status_level)
-      report_status(slot, level, now_ns);
+    const bool due =
+        now_ns - slot.status_ns >= status_period_ns_ || static_cast<std::uint32_t>(level) != slot.status_level;
+    if (due && statuses++ < most_statuses_a_watch) report_status(slot, level, now_ns);
+    if (checkpoints_) checkpoints_->keep(slot, now_ns);
   });
 }
 
+void CycleThread::report_event(const EngineSlot& slot, const Event& event) {
+  reports_.push({Report::Kind::event,
+                 slot.engine_id,
+                 &slot.cycle.design(),
+                 event,
+                 slot.sample.sequence,
+                 slot.sample.source_time_ns,
+                 {}});
+}
+
 void CycleThread::report_events(EngineSlot& slot) {
-  for (const Event& event : slot.cycle.events())
-    reports_.push({Report::Kind::event,
-                   slot.engine_id,
-                   &slot.cycle.design(),
-                   event,
-                   slot.sample.sequence,
-                   slot.sample.source_time_ns,
-                   {}});
+  for (const Event& event : slot.cycle.events()) report_event(slot, event);
   slot.cycle.clear_events();
+}
+
+void CycleThread::report_malformed(EngineSlot& slot) {
+  // Said once a second: a broken source must not fill the log.
+  const std::int64_t now_ns = monotonic_ns();
+  if (slot.malformed_ns != 0 && now_ns - slot.malformed_ns < malformed_period_ns) return;
+  slot.malformed_ns = now_ns;
+  const Sample& s = slot.sample;
+  Report report{Report::Kind::malformed, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
+  report.malformed = {s.source_id, s.schema, s.sensor_count, s.actuator_count, slot.cycle.counters().malformed};
+  reports_.push(report);
 }
 
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
   if (!reports_.has_room()) return;  // tried again at the next turn
   Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
   report.status = make_status(slot, level, now_ns, start_ns_);
+  report.estimates = estimates_of(slot.cycle);
   report.status.source_id(source_id_);
   report.status.status_time_ns(wall_clock_ns());
   report.status.unknown_engine_samples(unknown_engine_samples_);
   report.status.reports_lost(reports_.overflow());
+  if (checkpoints_) {
+    report.status.checkpoints_written(checkpoints_->writer().written());
+    report.status.checkpoints_failed(checkpoints_->writer().failed());
+  }
   reports_.push(report);
   slot.status_ns = now_ns;
   slot.status_received = slot.cycle.counters().received;
@@ -129,6 +184,8 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
 
 void CycleThread::say_stopped() {
   engines_.for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
+  const std::int64_t limit_ns = monotonic_ns() + last_checkpoints_ns;
+  if (checkpoints_) engines_.for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });
 }
 
 }  // namespace ehm::monitor

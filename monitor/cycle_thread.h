@@ -1,30 +1,43 @@
 #pragma once
 // The real-time side of the service: takes each sample as it arrives, runs its engine's cycle, writes the estimates,
-// and watches for input that stays away. Logs, events and status go to the reporter through a bounded queue.
+// and watches for input that stays away. EngineHealth is written first, and the latency ends there: from the reception
+// of the sample by the middleware to its EngineHealth handed to the middleware. Logs, events and status go to the
+// reporter through a bounded queue.
 
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 
+#include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
+#include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/engine_table.h"
+#include "monitor/realtime/arrival_clock.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
 
 class CycleThread {
  public:
-  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports);
+  /// `checkpoints` may be null: none are kept then.
+  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
+              CheckpointKeeper* checkpoints);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
-  /// Tells every engine's subscribers that this monitor stops in order.
+  /// Tells every engine's subscribers that this monitor stops in order, and keeps a last checkpoint of each.
   void say_stopped();
+  /// Grows with every turn and every sample, at least 60 times a second.
+  const service::TurnCounter& turns() const { return turns_; }
 
  private:
+  void take_samples();
   void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
   void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
   void obey(const MonitorCommand& command);
-  void watch_input();
+  void watch_input(std::int64_t now_ns);
+  void first_sample(EngineSlot& slot);
+  void report_event(const EngineSlot& slot, const Event& event);
   void report_events(EngineSlot& slot);
+  void report_malformed(EngineSlot& slot);
   void report_status(EngineSlot& slot, wire::StatusLevel level, std::int64_t now_ns);
 
   std::uint32_t source_id_;
@@ -33,7 +46,12 @@ class CycleThread {
   std::int64_t start_ns_;
   EngineTable& engines_;
   ReportQueue& reports_;
+  CheckpointKeeper* checkpoints_;
   std::uint64_t unknown_engine_samples_ = 0;
+  ArrivalClock arrival_;
+  bool backlog_ = false;  ///< the last turn left samples
+  std::int64_t watched_ns_ = 0;
+  service::TurnCounter turns_;
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;

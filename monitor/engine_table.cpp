@@ -6,41 +6,41 @@
 
 namespace ehm::monitor {
 
-EngineTable::EngineTable(const MonitorConfig& config) {
-  struct Loaded {
-    std::shared_ptr<const design::Design> design;
-    std::shared_ptr<const FaultTables> faults;
+EngineTable::EngineTable(const MonitorConfig& config) : index_(static_cast<std::size_t>(config.max_engines)) {
+  std::map<std::string, PreparedDesign> designs;
+  const auto make_slot = [&](const std::string& file) {
+    auto known = designs.find(file);
+    if (known == designs.end())
+      known = designs.try_emplace(file, std::make_shared<const design::Design>(design::read_design(file))).first;
+    return std::make_unique<EngineSlot>(known->second, config.cycle);
   };
-  std::map<std::string, Loaded> designs;
-  const auto slot = [&](const std::string& file) {
-    Loaded& loaded = designs[file];
-    if (!loaded.design) {
-      loaded.design = std::make_shared<const design::Design>(design::read_design(file));
-      loaded.faults = fault_tables(*loaded.design);
-    }
-    return std::make_unique<EngineSlot>(loaded.design, config.cycle, loaded.faults);
-  };
-  for (const auto& assignment : config.engines) {
+  for (const auto& assignment : config.engines)
     for (const auto id : assignment.ids) {
-      slots_.push_back(slot(assignment.design));
-      slots_.back()->engine_id = static_cast<std::uint32_t>(id);
+      slots_.push_back(make_slot(assignment.design));
+      assign(slots_.size() - 1, static_cast<std::uint32_t>(id));
     }
-  }
   if (config.design.empty()) return;
-  while (slots_.size() < static_cast<std::size_t>(config.max_engines)) slots_.push_back(slot(config.design));
+  while (slots_.size() < static_cast<std::size_t>(config.max_engines)) slots_.push_back(make_slot(config.design));
+}
+
+const design::Design* EngineTable::design_of(std::uint32_t engine_id) const noexcept {
+  for (const auto& slot : slots_)
+    if (slot->engine_id == engine_id || slot->engine_id == 0) return &slot->cycle.design();
+  return nullptr;
 }
 
 EngineSlot* EngineTable::find(std::uint32_t engine_id, bool may_join) noexcept {
   if (engine_id == 0) return nullptr;  // reserved, see MonitorCommand
-  for (auto& slot : slots_) {
-    if (slot->engine_id == engine_id) return slot.get();
-    if (slot->engine_id == 0) {
-      if (!may_join) return nullptr;
-      slot->engine_id = engine_id;
-      return slot.get();
-    }
-  }
-  return nullptr;
+  if (const std::size_t i = index_.find(engine_id); i != EngineIndex::none) return slots_[i].get();
+  if (!may_join || used_ == slots_.size()) return nullptr;
+  assign(used_, engine_id);
+  return slots_[used_ - 1].get();
+}
+
+void EngineTable::assign(std::size_t slot, std::uint32_t engine_id) noexcept {
+  slots_[slot]->engine_id = engine_id;
+  index_.add(engine_id, slot);
+  ++used_;
 }
 
 }  // namespace ehm::monitor

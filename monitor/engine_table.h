@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "monitor/config.h"
+#include "monitor/engine_index.h"
 #include "monitor/engine_slot.h"
 
 namespace ehm::monitor {
@@ -19,16 +20,21 @@ class EngineTable {
   /// The engine's slot; null for an engine that no design serves or that finds no spare filter. A spare one is given
   /// away only if `may_join`: not for a stray message that cannot be read. Real-time safe: yes.
   EngineSlot* find(std::uint32_t engine_id, bool may_join) noexcept;
+  /// The design that flies, or would fly, for an engine; null if none.
+  const design::Design* design_of(std::uint32_t engine_id) const noexcept;
   /// All slots in use.
   template <class Visit>
   void for_each(Visit&& visit) {
-    for (auto& slot : slots_)
-      if (slot->engine_id != 0) visit(*slot);
+    for (std::size_t i = 0; i < used_; ++i) visit(*slots_[i]);
   }
   std::size_t size() const noexcept { return slots_.size(); }
 
  private:
+  void assign(std::size_t slot, std::uint32_t engine_id) noexcept;
+
   std::vector<std::unique_ptr<EngineSlot>> slots_;  // named engines first, then the spare ones
+  std::size_t used_ = 0;                            // slots in use
+  EngineIndex index_;                               // of those
 };
 
 }  // namespace ehm::monitor

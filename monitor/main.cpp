@@ -1,4 +1,4 @@
-// monitor: arguments -> config -> loop -> exit code.
+// monitor: arguments -> config -> loop -> exit code; with --listen a wiring check instead of the loop.
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -8,8 +8,10 @@
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
 #include "deploy/service/exit_code.h"
+#include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
+#include "monitor/listen/listen.h"
 #include "monitor/service.h"
 
 int main(int argc, char** argv) {
@@ -20,7 +22,9 @@ int main(int argc, char** argv) {
   config::Schema schema;
   monitor::declare(schema, config);
 
+  monitor::ListenOptions listen;
   config::CommandLine line;
+  line.more_options = [&listen](CLI::App& app) { monitor::declare(app, listen); };
   if (const auto code = config::parse_command_line(
           argc, argv, "monitor", "Estimates engine health from sensor samples on DDS, and publishes it.", schema, line))
     return *code;
@@ -30,6 +34,7 @@ int main(int argc, char** argv) {
     schema.load(line.file);
     monitor::finish_config(config);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
+    if (!config.checkpoint_directory.empty()) monitor::require_writable_folder(config.checkpoint_directory);
     engines = std::make_unique<monitor::EngineTable>(config);
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';
@@ -41,6 +46,8 @@ int main(int argc, char** argv) {
   }
 
   try {
+    if (listen.wanted)
+      return monitor::listen(config, *engines, listen, std::cout) ? service::exit_ok : service::exit_failed;
     monitor::run_service(config, *engines);
     return service::exit_ok;
   } catch (const std::exception& e) {

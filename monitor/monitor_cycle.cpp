@@ -3,8 +3,6 @@
 #include <limits>
 
 #include "idl/wire_values.h"
-#include "monitor/design/make_error_model.h"
-#include "monitor/design/make_filter.h"
 
 namespace ehm::monitor {
 
@@ -12,13 +10,6 @@ namespace reason = wire::reject_reason;
 using estimation::SensorSet;
 
 namespace {
-
-std::vector<estimation::ErrorModel> make_error_models(const design::Design& design) {
-  std::vector<estimation::ErrorModel> models{design::make_error_model(design, design.full)};
-  for (const auto& subset : design.missing)
-    models.push_back(subset ? design::make_error_model(design, *subset) : estimation::ErrorModel{});
-  return models;
-}
 
 template <class Vector>
 Vector trims(const std::vector<estimation::Channel>& channels) {
@@ -29,22 +20,21 @@ Vector trims(const std::vector<estimation::Channel>& channels) {
 
 }  // namespace
 
-MonitorCycle::MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options,
-                           std::shared_ptr<const FaultTables> faults)
-    : design_(std::move(design)),
+MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options)
+    : design_(prepared.design),
       options_(options),
       sensors_(static_cast<int>(design_->model.sensors.size())),
       actuators_(static_cast<int>(design_->model.controls.size())),
-      error_models_(make_error_models(*design_)),
-      filter_(design::make_filter(*design_)),
-      error_(error_models_.front()),
+      error_models_(prepared.error_models),
+      filter_(prepared.filter),
+      error_(error_models_->front()),
       sample_check_(options.checks, sensors_, actuators_, design_->model.sample_time_s),
       sample_time_(design_->model.sample_time_s),
       sensor_check_(options.checks, design_->model),
       qualification_(static_cast<std::size_t>(sensors_)),
       gated_(static_cast<std::size_t>(sensors_)),
       validity_(options.validity, design_->model),
-      faults_(options.faults, faults ? std::move(faults) : fault_tables(*design_), design_->model.sample_time_s),
+      faults_(options.faults, prepared.faults, design_->model.sample_time_s),
       shift_(options.shift, *design_),
       slow_bias_(options.faults, *design_),
       limits_(options.limits, design_->model),
@@ -95,10 +85,7 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
       return false;
     case SampleVerdict::foreign:
       ++counters_.foreign;
-      second_source_.set(true,
-                         {wire::EventKind::second_source, 0, true, static_cast<double>(sample.source_id),
-                          static_cast<double>(sample_check_.source_id()), 0},
-                         events_);
+      second_source_.foreign(sample, sample_check_.source_id(), events_);
       return false;
     case SampleVerdict::restarted:
       restart(decision.jump_s);
@@ -108,6 +95,7 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
       break;
   }
   input_lost_.set(false, {wire::EventKind::input_lost, 0, false, 0.0, 0.0, 0}, events_);
+  second_source_.followed(events_);
   for (int i = 0; i < actuators_; ++i) du_(i) = sample.actuator[static_cast<std::size_t>(i)] - actuator_trim_(i);
   if (decision.verdict != SampleVerdict::accepted) du_previous_ = du_;
   return true;
@@ -115,7 +103,7 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
 
 void MonitorCycle::restart_filter() noexcept {
   filter_.reset();
-  error_.reset(error_models_.front());
+  error_.reset(error_models_->front());
   ungated_.reset();
   faults_.reset();
   shift_.reset();
@@ -288,7 +276,7 @@ void MonitorCycle::no_input(double age_s) noexcept {
   input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, 0}, events_);
   // The source is gone: whoever sends next may take its place.
   sample_check_.release_source();
-  second_source_.set(false, {wire::EventKind::second_source, 0, false, 0.0, 0.0, 0}, events_);
+  second_source_.end(events_);
 }
 
 }  // namespace ehm::monitor

@@ -15,17 +15,20 @@
 #include "monitor/checks/sample_check.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/sensor_check.h"
+#include "monitor/cycle_state.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/estimation/tuner_filter.h"
 #include "monitor/judge/events.h"
 #include "monitor/judge/fault_detector.h"
 #include "monitor/judge/limit_watch.h"
+#include "monitor/judge/second_source_watch.h"
 #include "monitor/judge/shift_detector.h"
 #include "monitor/judge/slow_bias.h"
 #include "monitor/judge/ungated_filter.h"
 #include "monitor/judge/validity.h"
 #include "monitor/options.h"
+#include "monitor/prepared_design.h"
 #include "monitor/sample.h"
 
 namespace ehm::monitor {
@@ -54,10 +57,12 @@ struct CycleResult {
 
 class MonitorCycle {
  public:
-  /// `design` and the `faults` made of it are shared by all engines of its type; without `faults` they are made here.
+  /// Shares the prepared design with all engines of its type.
   /// @throws std::invalid_argument if an option does not fit the design (names it).
-  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options,
-               std::shared_ptr<const FaultTables> faults = nullptr);
+  MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options);
+  /// For one engine of its type.
+  MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options)
+      : MonitorCycle(PreparedDesign(std::move(design)), options) {}
 
   /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
   /// result stands. Real-time safe: yes.
@@ -67,6 +72,13 @@ class MonitorCycle {
   void no_input(double age_s) noexcept;
   /// Cold start of the filter, by an operator's order. Real-time safe: yes.
   void reset() noexcept;
+
+  /// What a successor needs to go on from here. False, and nothing written, without an honest estimate. Real-time safe:
+  /// yes.
+  bool snapshot(CycleState& state) const noexcept;
+  /// Goes on from `state` with the sample that is to be processed next; call on a cycle that has seen none, just before
+  /// process. Refused, nothing is changed. Real-time safe: yes.
+  Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
 
   const estimation::TunerFilter& filter() const noexcept { return filter_; }
   const estimation::ErrorPropagation& error() const noexcept { return error_; }
@@ -101,11 +113,12 @@ class MonitorCycle {
   void take_out_fault() noexcept;
   void judge() noexcept;
   std::uint32_t estimate_flags() const noexcept;
+  void fly_blind_to(const Sample& next, std::uint64_t sequence) noexcept;
 
   std::shared_ptr<const design::Design> design_;
   CycleOptions options_;
   int sensors_, actuators_;
-  std::vector<estimation::ErrorModel> error_models_;  ///< [0] full set, [1 + i] without sensor i
+  std::shared_ptr<const std::vector<estimation::ErrorModel>> error_models_;  ///< [0] full set, [1 + i] without sensor i
   estimation::TunerFilter filter_;
   estimation::ErrorPropagation error_;
 
@@ -128,7 +141,8 @@ class MonitorCycle {
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;
-  Condition no_design_, input_lost_, second_source_, ambiguous_;
+  Condition no_design_, input_lost_, ambiguous_;
+  SecondSourceWatch second_source_;
   std::uint32_t ambiguous_channel_ = 0;
   std::int64_t unambiguous_samples_ = 0;
   estimation::AugmentedVector shift_by_;

@@ -5,20 +5,29 @@
 
 #include "engine_health.h"
 #include "monitor/design/design.h"
+#include "monitor/estimate_snapshot.h"
 #include "monitor/judge/events.h"
 #include "monitor/realtime/spsc_queue.h"
 
 namespace ehm::monitor {
 
+/// What a sample that cannot be used says of itself.
+struct Malformed {
+  std::uint32_t source_id = 0, schema = 0, sensor_count = 0, actuator_count = 0;
+  std::uint64_t so_far = 0;  ///< of this engine
+};
+
 struct Report {
-  enum class Kind { event, status, new_engine, unknown_engine };
+  enum class Kind { event, status, new_engine, unknown_engine, malformed };
   Kind kind = Kind::event;
   std::uint32_t engine_id = 0;
   const design::Design* design = nullptr;  ///< lives as long as the engine table
   Event event;                             ///< Kind::event
   std::uint64_t sequence = 0;
   std::int64_t source_time_ns = 0;
-  MonitorStatus status;  ///< Kind::status
+  MonitorStatus status;             ///< Kind::status
+  EstimateSnapshot estimates = {};  ///< Kind::status
+  Malformed malformed = {};         ///< Kind::malformed
 };
 
 /// Room for several reports of each of a thousand engines between two turns of the reporter.

@@ -4,20 +4,37 @@
 
 #include <chrono>
 
+#include "deploy/service/notify.h"
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/dds/event_text.h"
+#include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
 
 namespace {
 constexpr std::chrono::milliseconds poll{5};  // how late an event may be reported
 constexpr double drain_s = 0.5;               // how long a stop waits for subscribers to hear the last status
+
+void say_malformed(const Report& report) {
+  const Malformed& m = report.malformed;
+  const auto& model = report.design->model;
+  spdlog::warn(
+      "engine {}: a sample of source {} cannot be used: schema {} with {} sensors and {} actuators; needed are schema "
+      "{}, {} sensors, {} actuators, and a finite flight condition and actuators ({} so far)",
+      report.engine_id, m.source_id, m.schema, m.sensor_count, m.actuator_count, wire::schema_version,
+      model.sensors.size(), model.controls.size(), m.so_far);
+}
+
 }  // namespace
 
-Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue)
+Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
+                   InputWatch& input, StatusBoard& board)
     : source_id_(source_id),
       queue_(queue),
+      notices_(notices),
+      input_(input),
+      board_(board),
       events_(participant),
       status_(participant),
       descriptions_(participant),
@@ -36,7 +53,9 @@ void Reporter::run() {
     last = stop_.load(std::memory_order_acquire);
     while (report_next()) {
     }
+    report_notices();
     report_overflow();
+    turns_.turned();
     if (!last) std::this_thread::sleep_for(poll);
   }
 }
@@ -49,11 +68,14 @@ bool Reporter::report_next() {
       report_event(report);
       break;
     case Report::Kind::status:
-      status_.write(report.status);
+      report_status(report.status);
+      board_.hang_up(report.engine_id, report.design->model, report.estimates);
+      break;
+    case Report::Kind::malformed:
+      say_malformed(report);
       break;
     case Report::Kind::new_engine:
-      descriptions_.write(describe(*report.design, report.engine_id, source_id_));
-      spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
+      report_new_engine(report);
       break;
     case Report::Kind::unknown_engine:
       spdlog::warn(
@@ -65,15 +87,20 @@ bool Reporter::report_next() {
   return true;
 }
 
+void Reporter::report_new_engine(const Report& report) {
+  const EngineDescription description = describe(*report.design, report.engine_id, source_id_);
+  descriptions_.write(description);
+  board_.hang_up(description);
+  spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
+}
+
 void Reporter::report_event(const Report& report) {
   const Event& event = report.event;
   const std::string text = event_text(event, report.design->model);
   HealthEvent wire_event;
   wire_event.engine_id(report.engine_id);
-  wire_event.source_id(source_id_);
   wire_event.kind(static_cast<std::uint32_t>(event.kind));
   wire_event.channel(event.channel);
-  wire_event.schema(wire::schema_version);
   wire_event.raised(event.raised ? 1 : 0);
   wire_event.sequence_number(report.sequence);
   wire_event.source_time_ns(report.source_time_ns);
@@ -81,11 +108,42 @@ void Reporter::report_event(const Report& report) {
   wire_event.threshold(event.threshold);
   wire_event.channel_name() = channel_name(event, report.design->model).c_str();
   wire_event.message() = text.c_str();
-  events_.write(wire_event);
-  if (event.raised)
-    spdlog::warn("engine {}: {}", report.engine_id, text);
-  else
-    spdlog::info("engine {}: {}", report.engine_id, text);
+  publish(wire_event);
+}
+
+void Reporter::report_notices() {
+  input_.settle(monotonic_ns());
+  for (const Notice& notice : notices_.take()) say(notice);
+}
+
+void Reporter::report_status(MonitorStatus& status) {
+  status.input_deadline_misses(input_.deadline_misses());
+  status.input_liveliness_losses(input_.liveliness_losses());
+  status.reports_lost(status.reports_lost() + notices_.lost());
+  status_.write(status);
+  if (board_.hang_up(status)) service::notify_status(board_.summary());
+}
+
+void Reporter::say(const Notice& notice) {
+  HealthEvent event;
+  event.engine_id(notice.engine_id);
+  event.kind(static_cast<std::uint32_t>(notice.kind));
+  event.raised(notice.raised ? 1 : 0);
+  event.source_time_ns(wall_clock_ns());
+  event.value(notice.value);
+  event.threshold(notice.threshold);
+  event.message() = notice.text.c_str();
+  publish(event);
+}
+
+void Reporter::publish(HealthEvent& event) {
+  event.source_id(source_id_);
+  event.schema(wire::schema_version);
+  events_.write(event);
+  board_.hang_up(event);
+  const std::string whom =
+      event.engine_id() == 0 ? std::string() : "engine " + std::to_string(event.engine_id()) + ": ";
+  spdlog::log(event.raised() != 0 ? spdlog::level::warn : spdlog::level::info, "{}{}", whom, event.message().c_str());
 }
 
 void Reporter::report_overflow() {

@@ -4,25 +4,43 @@
 #include <atomic>
 #include <thread>
 
+#include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
+#include "idl/wire_values.h"
+#include "monitor/dds/input_watch.h"
+#include "monitor/export/status_board.h"
+#include "monitor/notice_board.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
 
 class Reporter {
  public:
-  Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue);
+  /// What it publishes also hangs on `board`.
+  Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
+           InputWatch& input, StatusBoard& board);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
+  /// From any slow thread that is not the middleware's (those post on the notice board): publishes and logs.
+  void say(const Notice& notice);
+  const service::TurnCounter& turns() const { return turns_; }
 
  private:
   void run();
   bool report_next();
+  void report_new_engine(const Report& report);
   void report_event(const Report& report);
+  void report_notices();
+  void report_status(MonitorStatus& status);
   void report_overflow();
+  void publish(HealthEvent& event);
 
   std::uint32_t source_id_;
   ReportQueue& queue_;
+  NoticeBoard& notices_;
+  InputWatch& input_;
+  StatusBoard& board_;
+  service::TurnCounter turns_;
   std::uint64_t overflow_said_ = 0;
   wire::Writer<HealthEvent> events_;
   wire::Writer<MonitorStatus> status_;

@@ -12,6 +12,7 @@ namespace ehm::monitor {
 struct Sample {
   std::uint32_t schema = 0;
   std::uint32_t source_id = 0;
+  std::uint64_t writer = 0;  ///< tells writers with the same source_id apart; 0: not known
   std::uint64_t sequence = 0;
   std::int64_t source_time_ns = 0;
   estimation::OperatingPoint flight;

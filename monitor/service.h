@@ -5,13 +5,20 @@
 //               | bounded queues, never waited for
 //               v
 //           Reporter (logs, events, status) and whatever else is slow, each on a thread of its own
+//               | StatusBoard
+//               v
+//           MetricsEndpoint (HTTP); Watchdog looks at the cycle's turns
 //
 // @throws wire::DdsError if DDS refuses an entity.
 
+#include "idl/dds/participant.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
 
 namespace ehm::monitor {
+
+/// The participant that the configuration asks for; who takes part adds what shall become of its notices.
+wire::ParticipantOptions service_participant(const MonitorConfig& config);
 
 /// Serves until SIGINT or SIGTERM; then drains and tells every engine's subscribers that it stopped in order.
 void run_service(const MonitorConfig& config, EngineTable& engines);

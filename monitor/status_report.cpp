@@ -23,7 +23,7 @@ MonitorStatus make_status(const EngineSlot& slot, StatusLevel level, std::int64_
   s.engine_id(slot.engine_id);
   s.schema(wire::schema_version);
   s.level(static_cast<std::uint32_t>(level));
-  s.last_sequence(slot.sample.sequence);
+  s.last_sequence(slot.last_sequence);
   s.samples_received(c.received);
   s.samples_processed(c.processed);
   s.samples_lost(c.lost);

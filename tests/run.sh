@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests through ctest, whose closing lines come last.
 # Usage: tests/run.sh           the default tier: all that guards every change
-#        tests/run.sh --full    the sanitizer builds, the demo, and the control's 1000 demand sequences as well
+#        tests/run.sh --full    the sanitizer builds, the demo, the packages in a Debian of their own, and the control's
+#                               1000 demand sequences as well
 # EHM_BUILD_DIR names another build folder (default build; the sanitizers' get a suffix).
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -35,4 +36,5 @@ if [ "$full" = yes ]; then
 fi
 
 EHM_CMAKE_ARGS=-DEHM_WERROR=ON deploy/build.sh "$build"
+if [ "$full" = yes ]; then tests/packages/packages.sh "$build" || [ $? -eq 77 ]; fi
 ctest --test-dir "$build" --output-on-failure -j2

@@ -4,6 +4,7 @@
 #include <memory>
 #include <ostream>
 
+#include "deploy/config/man_page.h"
 #include "monitor/design/file_error.h"
 #include "tuner_design/baselines/baselines_command.h"
 #include "tuner_design/check_report.h"
@@ -22,7 +23,9 @@ namespace ehm::bench {
 namespace {
 
 constexpr const char* footer =
-    "Exit codes: 0 done, 1 a computation failed, 2 wrong command line or input file; the reason is on stderr.\n"
+    "Exit codes: 0 done, 1 a computation failed, 2 wrong command line or input file; the reason is on stderr.";
+constexpr const char* purpose =
+    "Offline bench of the engine health monitor: from an engine to the filter that flies.\n"
     "Chain: linearise (or your own matrices: JSON, .mat, CSV) -> design -> the file that monitor loads.";
 
 struct CheckArguments {
@@ -55,7 +58,7 @@ void add_check_command(CLI::App& app, Action& run) {
 
 int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   Action run;
-  CLI::App app("Offline bench of the engine health monitor: from an engine to the filter that flies.", "tuner_design");
+  CLI::App app(purpose, "tuner_design");
   app.set_version_flag("--version", std::string("tuner_design ") + EHM_VERSION);
   app.require_subcommand(1);
   app.footer(footer);
@@ -69,6 +72,7 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   add_evaluate_command(app, run);
   add_study_command(app, run);
   add_report_command(app, run);
+  config::add_man_flag(app, {.app = &app});
   const std::string command = argc > 1 ? argv[1] : "";
   const auto known = app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == command; });
   if (!command.empty() && command.front() != '-' && known.empty()) {

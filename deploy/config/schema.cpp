@@ -92,7 +92,7 @@ void Schema::add_flags(CLI::App& app) {
                environment_name(entry.key) + "]")
         ->type_name("")
         ->take_last()
-        ->group("Configuration");
+        ->group(flag_group);
   }
 }
 
@@ -192,6 +192,18 @@ void Schema::assign_text(Entry& entry, const std::string& text, const std::strin
     check(entry, number, origin);
     *std::get<double*>(entry.value) = number;
   }
+}
+
+std::vector<Schema::KeyText> Schema::keys() const {
+  std::vector<KeyText> list;
+  for (const auto& e : entries_) list.push_back({e.key, e.description, e.allowed_text(), e.default_text});
+  return list;
+}
+
+std::vector<Schema::KeyText> Schema::table_keys() const {
+  std::vector<KeyText> list;
+  for (const auto& t : tables_) list.push_back({t.key, t.description, "", ""});
+  return list;
 }
 
 std::string Schema::reference() const {

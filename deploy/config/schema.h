@@ -42,6 +42,14 @@ class Schema {
   void add_flags(CLI::App& app);
   /// Default, file (skipped if empty), environment, flags, in this order.
   void load(const std::string& file);
+  static constexpr const char* flag_group = "Configuration";  ///< of the options that add_flags() makes
+
+  struct KeyText {
+    std::string name, description, allowed, default_text;
+  };
+  std::vector<KeyText> keys() const;
+  /// Name and description of the structured sections.
+  std::vector<KeyText> table_keys() const;
   /// The complete TOML file with defaults, ranges, units and descriptions as comments.
   std::string reference() const;
 

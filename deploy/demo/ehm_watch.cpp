@@ -11,6 +11,7 @@
 #include <iostream>
 #include <optional>
 
+#include "deploy/config/man_page.h"
 #include "deploy/demo/watch_csv.h"
 #include "deploy/demo/watch_output.h"
 #include "deploy/service/exit_code.h"
@@ -112,7 +113,8 @@ void watch(Ears& ears, demo::WatchData& data, const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Shows true and estimated health of one engine, live.\n" + std::string(service::exit_code_help)};
+  CLI::App app{"Shows true and estimated health of one engine, live.", "ehm_watch"};
+  app.footer(service::exit_code_help);
   app.add_option("--domain,--dds-domain", options.domain, "DDS domain")
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
@@ -131,6 +133,7 @@ int main(int argc, char** argv) {
   app.add_flag("--json", options.json, "print nothing but the summary, as one JSON object");
   app.add_option("--csv", options.csv, "write every estimate beside its truth to this file");
   app.set_version_flag("--version", std::string("ehm_watch " EHM_VERSION));
+  config::add_man_flag(app, {.app = &app});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

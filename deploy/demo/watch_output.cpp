@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "idl/wire_values.h"
+#include "idl/wire_names.h"
 
 namespace ehm::demo {
 
@@ -46,17 +46,12 @@ std::string event_text(const EventLine& event) {
   return fmt::format("  {:7.2f} s  {}  {}", event.time_s, event.raised ? "raised " : "cleared", event.message);
 }
 
-const char* level_name(std::uint32_t level) {
-  constexpr const char* names[]{"OK", "WARN", "ERROR", "STALE", "STOPPED"};
-  return level < 5 ? names[level] : "?";
-}
-
 }  // namespace
 
 std::string table(const WatchData& data) {
   constexpr const char* line_end = "\033[K\n";  // clears what the last table left on the line
   std::string text = fmt::format("\033[H{:.1f} s of flight   {}{}{}{}", data.flight_time_s(),
-                                 data.status() ? level_name(data.status()->level()) : "waiting", line_end,
+                                 data.status() ? wire::level_name(data.status()->level()) : "waiting", line_end,
                                  rows_text(data, line_end), line_end);
   text += "  " + counts_text(data) + line_end + line_end;
   const auto& events = data.events();
@@ -67,7 +62,7 @@ std::string table(const WatchData& data) {
 
 std::string line(const WatchData& data) {
   std::string text = fmt::format("{:6.1f} s  {:<7}", data.flight_time_s(),
-                                 data.status() ? level_name(data.status()->level()) : "waiting");
+                                 data.status() ? wire::level_name(data.status()->level()) : "waiting");
   for (const auto& row : data.health())
     if (row.name.find("hpc") != std::string::npos)
       text += fmt::format("  {} {:+.2f} % (true {:+.2f})", row.name, 100.0 * row.estimate, 100.0 * row.truth);

@@ -61,9 +61,13 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
     // Data wakes the WaitSet, not the listener: the listener only hears of matching.
     auto mask = eprosima::fastdds::dds::StatusMask::none();
     mask << eprosima::fastdds::dds::StatusMask::subscription_matched()
-         << eprosima::fastdds::dds::StatusMask::requested_incompatible_qos();
-    reader_ = participant.subscriber()->create_datareader(
-        topic, reader_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy), this, mask);
+         << eprosima::fastdds::dds::StatusMask::requested_incompatible_qos()
+         << eprosima::fastdds::dds::StatusMask::requested_deadline_missed()
+         << eprosima::fastdds::dds::StatusMask::liveliness_changed();
+    auto qos = reader_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy);
+    if constexpr (Topic<T>::input)
+      ask(qos, participant.options().input.deadline_s, participant.options().input.lease_s);
+    reader_ = participant.subscriber()->create_datareader(topic, qos, this, mask);
     if (!reader_) throw DdsError(std::string("no DDS reader on topic '") + Topic<T>::name + "'");
     reader_->get_statuscondition().set_enabled_statuses(eprosima::fastdds::dds::StatusMask::data_available());
   }
@@ -82,6 +86,8 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   }
   /// When the middleware received the sample last taken, wall clock, ns.
   std::int64_t received_ns() const { return info_.reception_timestamp.to_ns(); }
+  /// A number that tells the writer of the sample last taken from others; not 0.
+  std::uint64_t writer() const { return writer_number(info_.publication_handle); }
   /// Attach this to a WaitSet; it triggers while data waits.
   eprosima::fastdds::dds::StatusCondition& condition() { return reader_->get_statuscondition(); }
   int matched() const { return matched_.load(std::memory_order_acquire); }
@@ -94,6 +100,16 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   void on_requested_incompatible_qos(eprosima::fastdds::dds::DataReader*,
                                      const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override {
     participant_.report_incompatible(Topic<T>::name, "writer", status.last_policy_id);
+  }
+  void on_requested_deadline_missed(eprosima::fastdds::dds::DataReader*,
+                                    const eprosima::fastdds::dds::RequestedDeadlineMissedStatus& status) override {
+    if (const auto& tell = participant_.options().input.on_deadline_missed; Topic<T>::input && tell)
+      tell(engine_id_of(status.last_instance_handle));
+  }
+  void on_liveliness_changed(eprosima::fastdds::dds::DataReader*,
+                             const eprosima::fastdds::dds::LivelinessChangedStatus& status) override {
+    if (const auto& tell = participant_.options().input.on_liveliness_changed; Topic<T>::input && tell)
+      tell(status.alive_count_change, status.not_alive_count_change);
   }
 
   Participant& participant_;

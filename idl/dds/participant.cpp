@@ -80,11 +80,13 @@ dds::Topic* Participant::topic(const char* name, dds::TypeSupport type) {
 
 void Participant::report_incompatible(const std::string& topic, const char* side, std::uint32_t policy) const {
   // The policies that this project's users get wrong; ids of the DDS specification, table 2.2.3.
-  static constexpr std::array<std::pair<std::uint32_t, const char*>, 6> names{{{2, "durability"},
+  static constexpr std::array<std::pair<std::uint32_t, const char*>, 8> names{{{2, "durability"},
+                                                                               {3, "presentation"},
                                                                                {4, "deadline"},
                                                                                {6, "ownership"},
                                                                                {8, "liveliness"},
                                                                                {11, "reliability"},
+                                                                               {12, "destination order"},
                                                                                {23, "data representation"}}};
   std::string policy_name = "policy " + std::to_string(policy);
   for (const auto& [id, known] : names)

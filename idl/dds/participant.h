@@ -32,6 +32,17 @@ class DdsError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What readers of EngineSensors ask of their writers. 0 asks for nothing, so that any plain writer matches; a writer
+/// that does not offer what is asked for is excluded, and that is reported.
+struct InputRequest {
+  double deadline_s = 0.0;  ///< longest time between two samples of an engine
+  double lease_s = 0.0;     ///< longest time without a sign of life of a writer
+  /// Told, on a middleware thread, of each period without a sample of an engine.
+  std::function<void(std::uint32_t engine_id)> on_deadline_missed = {};
+  /// Told, on a middleware thread, how many writers more are alive, and how many more are known and not alive.
+  std::function<void(int alive_change, int not_alive_change)> on_liveliness_changed = {};
+};
+
 struct ParticipantOptions {
   std::uint32_t domain = 0;
   std::string name = "ehm";
@@ -39,6 +50,7 @@ struct ParticipantOptions {
   std::string profile = "ehm_participant";  ///< the participant profile to take from that file
   std::string partition;                    ///< "fleet/<group>"; empty is the default partition
   Redundancy redundancy;
+  InputRequest input;
   /// Told, on a middleware thread, when an endpoint of ours and a remote one exclude each other by QoS.
   std::function<void(const std::string&)> on_incompatible;
 };

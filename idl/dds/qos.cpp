@@ -65,4 +65,25 @@ dds::DataReaderQos reader_qos(Delivery delivery, bool estimate, const Redundancy
   return qos;
 }
 
+void ask(dds::DataReaderQos& qos, double deadline_s, double lease_s) {
+  if (deadline_s > 0.0) qos.deadline().period = seconds(deadline_s);
+  if (lease_s > 0.0) {
+    qos.liveliness().kind = dds::AUTOMATIC_LIVELINESS_QOS;
+    qos.liveliness().lease_duration = seconds(lease_s);
+  }
+}
+
+std::uint32_t engine_id_of(const eprosima::fastrtps::rtps::InstanceHandle_t& instance) {
+  std::uint32_t id = 0;
+  for (std::size_t i = 0; i < sizeof id; ++i) id = id << 8 | instance.value[i];
+  return id;
+}
+
+std::uint64_t writer_number(const eprosima::fastrtps::rtps::InstanceHandle_t& publication) {
+  // FNV-1a over the writer's 16 byte GUID.
+  std::uint64_t number = 0xcbf29ce484222325u;
+  for (std::size_t i = 0; i < 16; ++i) number = (number ^ publication.value[i]) * 0x100000001b3u;
+  return number | 1u;
+}
+
 }  // namespace ehm::wire

@@ -4,6 +4,7 @@
 // Streams are reliable and keep last; a reader that falls further behind than the depth loses the oldest, and sees it
 // by the gap in sequence_number. Ownership is shared unless redundancy is asked for (DESIGN.md, "The wire").
 
+#include <fastdds/rtps/common/InstanceHandle.h>
 #include <cstdint>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
@@ -26,5 +27,13 @@ inline constexpr double redundant_lease_s =
 
 eprosima::fastdds::dds::DataWriterQos writer_qos(Delivery delivery, bool estimate, const Redundancy& redundancy);
 eprosima::fastdds::dds::DataReaderQos reader_qos(Delivery delivery, bool estimate, const Redundancy& redundancy);
+
+/// Asks for a deadline and for signs of life; 0 asks for nothing.
+void ask(eprosima::fastdds::dds::DataReaderQos& qos, double deadline_s, double lease_s);
+
+/// The engine of an instance: its key is short enough to be the handle itself, big endian.
+std::uint32_t engine_id_of(const eprosima::fastrtps::rtps::InstanceHandle_t& instance);
+/// A number that tells one writer from another; not 0.
+std::uint64_t writer_number(const eprosima::fastrtps::rtps::InstanceHandle_t& publication);
 
 }  // namespace ehm::wire

@@ -31,9 +31,9 @@ class Qualification {
     return state_;
   }
   State state() const noexcept { return state_; }
-  /// Somebody else found it faulty.
-  void exclude() noexcept { become(State::excluded); }
   void reset() noexcept { become(State::trusted); }
+  /// As after a declared fault; the count of good values starts anew.
+  void exclude() noexcept { become(State::excluded); }
 
  private:
   void become(State state) noexcept {

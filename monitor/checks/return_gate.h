@@ -20,8 +20,19 @@ namespace ehm::monitor {
 
 class ReturnGate {
  public:
+  /// What a checkpoint keeps of it.
+  struct Memory {
+    double offset = 0.0, narrow_variance = 1.0, wide_variance = 1.0, age_s = 0.0, bias = 0.0;
+  };
+  Memory memory() const noexcept { return {offset_, narrow_, wide_, age_s_, bias_}; }
+  void resume(const Memory& memory) noexcept {
+    start(memory.offset, memory.narrow_variance, memory.wide_variance, memory.bias);
+    age_s_ = std::min(memory_s, memory.age_s);
+  }
+
   /// `bias` that it left with, 0 where none is known.
   void start(double offset, double narrow_variance, double wide_variance, double bias) noexcept {
+    bias_ = bias;
     offset_ = offset;
     narrow_ = narrow_variance;
     wide_ = std::max(wide_variance, narrow_variance);
@@ -58,7 +69,7 @@ class ReturnGate {
 
  private:
   static constexpr double memory_s = 3600.0, averaged = 50.0, most_sigmas = 2.5, most_spread = 2.0;
-  double offset_ = 0.0, narrow_ = 1.0, wide_ = 1.0, least_ = 1.0, age_s_ = 0.0;
+  double offset_ = 0.0, narrow_ = 1.0, wide_ = 1.0, least_ = 1.0, age_s_ = 0.0, bias_ = 0.0;
   double innovation_mean_ = 0.0, spread_ = 1.0;
 };
 

@@ -4,12 +4,12 @@
 //
 //   accepted       next in order, `steps` sample times after the last one (1: none lost)
 //   first          the filter starts here
-//   restarted      the source started anew, time stepped back, or jumped ahead by more than restart_gap_s: the filter
-//                  restarts here
+//   restarted      the source started anew, time stepped back, or jumped ahead by more than restart_gap_s, or the
+//                  sequence by more than its time explains: the filter restarts here
 //   duplicate, reordered (overtaken on the way), malformed: dropped and counted
-//   foreign        from another source than the one that this engine follows: dropped and counted. The source is the
-//   first
-//                  that spoke; another may take over once it has been silent (release_source).
+//   foreign        from another source, or another writer with the same source_id, than the one that this engine
+//                  follows: dropped and counted. The source is the first that spoke; another may take over once it has
+//                  been silent (release_source).
 //
 // Real-time safe: yes.
 
@@ -37,11 +37,17 @@ class SampleCheck {
 
   SampleDecision decide(const Sample& sample) noexcept;
   void reset() noexcept { started_ = false; }
-  void release_source() noexcept { bound_ = false; }
+  void release_source() noexcept {
+    bound_ = false;
+    writer_ = 0;
+  }
   std::uint32_t source_id() const noexcept { return source_id_; }
+  std::uint64_t last_sequence() const noexcept { return last_sequence_; }
+  std::int64_t last_time_ns() const noexcept { return last_time_ns_; }
 
  private:
   bool malformed(const Sample& sample) const noexcept;
+  bool foreign(const Sample& sample) const noexcept;
   SampleDecision restart(const Sample& sample, double jump_s) noexcept;
 
   CheckOptions options_;
@@ -49,6 +55,7 @@ class SampleCheck {
   double sample_time_s_;
   bool started_ = false, bound_ = false;
   std::uint32_t source_id_ = 0;
+  std::uint64_t writer_ = 0;
   std::uint64_t last_sequence_ = 0;
   std::int64_t last_time_ns_ = 0;
 };

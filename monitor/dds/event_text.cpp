@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "monitor/cycle_state.h"
+
 namespace ehm::monitor {
 
 namespace {
@@ -29,7 +31,8 @@ std::string reasons(std::uint32_t detail) {
                                                           {reason::range, "out of range"},
                                                           {reason::rate, "impossible rate"},
                                                           {reason::stuck, "stuck"},
-                                                          {reason::innovation_gate, "outside the innovation gate"}};
+                                                          {reason::innovation_gate, "outside the innovation gate"},
+                                                          {reason::excluded, "declared faulty earlier"}};
   std::string text;
   for (const auto& [bit, name] : names)
     if (detail & bit) text += (text.empty() ? "" : ", ") + std::string(name);
@@ -44,6 +47,26 @@ std::string sensor_fault(const Event& e, const estimation::LinearModel& model) {
   if (!(e.detail & reason::bias)) return reasons(e.detail);
   const double sigma = model.sensor_noise_sigma(static_cast<Eigen::Index>(e.channel));
   return fmt::format("bias {:+.4g} {}, {:+.1f} sigma, since {:.2f} s", e.value, sensor.unit, e.value / sigma, e.age_s);
+}
+
+/// What became of a readable checkpoint at the engine's first sample; of an unreadable one the file's reader tells.
+std::string checkpoint_text(const Event& e) {
+  switch (static_cast<Resumption>(e.detail)) {
+    case Resumption::taken:
+      return fmt::format("the filter resumed from its checkpoint of {:.3g} s before this sample", e.value);
+    case Resumption::wrong_shape:
+      return "the checkpoint does not fit the design's shape: the filter starts cold";
+    case Resumption::other_source:
+      return "the checkpoint is of another source than this sample: the filter starts cold";
+    case Resumption::not_later:
+      return fmt::format("the source started anew after the checkpoint ({:.3g} s by its clock): the filter starts cold",
+                         e.value);
+    case Resumption::too_old:
+      return fmt::format(
+          "the checkpoint is {:.4g} s older than this sample, allowed is {:.4g} s: the filter starts cold", e.value,
+          e.threshold);
+  }
+  return "the checkpoint was refused";
 }
 
 }  // namespace
@@ -88,9 +111,13 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
                                e.value, e.threshold)
                  : "samples come in the design's time again, the filter starts anew";
     case wire::EventKind::second_source:
-      return e.raised ? fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to",
-                                    e.value, e.threshold)
-                      : "the source has fallen silent, another may take over";
+      if (!e.raised)
+        return "one source only sends samples of this engine again, or none does and another may take over";
+      if (e.value == e.threshold)
+        return fmt::format(
+            "another writer also sends samples of this engine as source {:.0f}; the first is listened to", e.value);
+      return fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value,
+                         e.threshold);
     case wire::EventKind::ambiguous_fault:
       return e.raised ? fmt::format("something changed abruptly, and sensor or component cannot be told (likeliest {})",
                                     c->name)
@@ -99,10 +126,9 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return e.raised ? fmt::format("sensor {} drifts, by {:+.4g} {}", c->name, e.value, c->unit)
                       : fmt::format("sensor {} has stopped drifting", c->name);
     case wire::EventKind::input_deadline:
-      return e.raised ? "samples miss their deadline" : "samples keep their deadline again";
     case wire::EventKind::input_liveliness:
-      return e.raised ? "the source of the samples is no longer alive" : "the source of the samples is alive again";
     case wire::EventKind::checkpoint:
+      return checkpoint_text(e);
     case wire::EventKind::configuration:
     case wire::EventKind::incompatible_qos:
     case wire::EventKind::recording:

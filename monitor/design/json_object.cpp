@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,10 @@ Json parse_json_file(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file, error_code))
     throw FileError(file + ": cannot be opened. Check the path and the permissions.");
+  return parse_json_text(std::string(std::istreambuf_iterator<char>(stream), {}), file);
+}
+
+Json parse_json_text(const std::string& text, const std::string& file) {
   std::vector<std::set<std::string>> open_objects;
   std::string repeated;
   const auto note_keys = [&](int, Json::parse_event_t event, Json& parsed) {
@@ -70,7 +75,7 @@ Json parse_json_file(const std::string& file) {
   };
   Json root;
   try {
-    root = Json::parse(stream, note_keys);
+    root = Json::parse(text, note_keys);
   } catch (const Json::exception& error) {
     throw FileError(file + ": is not complete JSON: " + parser_message(error) +
                     ". The file is damaged or truncated, or holds NaN or Infinity; write it again.");

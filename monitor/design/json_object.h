@@ -13,6 +13,10 @@ using Json = nlohmann::json;
 /// @throws FileError if the file cannot be read, is not complete JSON, is not an object, or repeats a key.
 Json parse_json_file(const std::string& file);
 
+/// The same of a text; `file` is only named in messages.
+/// @throws FileError as parse_json_file.
+Json parse_json_text(const std::string& text, const std::string& file);
+
 /// One JSON object of a file; remembers which keys were asked for.
 class JsonObject {
  public:

@@ -27,6 +27,14 @@ void ErrorPropagation::switch_to(const ErrorModel& model,
   read_out();
 }
 
+void ErrorPropagation::restore(const ErrorModel& model, const ErrorState& state) noexcept {
+  model_ = &model;
+  mean_ = state.mean;
+  covariance_ = state.covariance;
+  remaining_ = state.remaining;
+  read_out();
+}
+
 void ErrorPropagation::step() noexcept {
   if (settled()) return;
   const ErrorModel& m = *model_;

@@ -42,6 +42,13 @@ struct ErrorModel {
   int settling_samples = 0;  ///< seven of the slowest time constants: 0.1 % is left
 };
 
+/// What the error has become so far, for a checkpoint.
+struct ErrorState {
+  BoundedMatrix<max_augmented, max_unknowns> mean;         ///< M
+  BoundedMatrix<max_augmented, max_augmented> covariance;  ///< S
+  int remaining = 0;                                       ///< samples until it counts as settled
+};
+
 class ErrorPropagation {
  public:
   /// `model` must outlive this. Starts cold.
@@ -51,6 +58,9 @@ class ErrorPropagation {
   void reset(const ErrorModel& model) noexcept;
   /// Goes on with another sensor set; `transfer` is what the filter's state was multiplied with. Real-time safe: yes.
   void switch_to(const ErrorModel& model, const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept;
+  /// Real-time safe: yes, both. `state` must have the shapes of `model`.
+  ErrorState state() const noexcept { return {mean_, covariance_, remaining_}; }
+  void restore(const ErrorModel& model, const ErrorState& state) noexcept;
   /// One sample further; costs nothing once settled. Real-time safe: yes.
   void step() noexcept;
 

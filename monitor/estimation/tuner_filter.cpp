@@ -52,44 +52,55 @@ void check_tuner_structure(const std::string& set, const SubsetGain& gain, Eigen
     throw std::invalid_argument("tuner filter: " + set + " health_output has states in it; expected [0, W]");
 }
 
-}  // namespace
-
-TunerFilter::TunerFilter(TunerFilterModel model) : model_(std::move(model)) {
-  require_shape("G", model_.G, model_.auxiliary_trim.size(), model_.D.cols());
-  check_gain("full set:", model_.full, model_);
-  if (model_.states < 1 || model_.states > max_states || model_.full.A.rows() <= model_.states) {
-    throw std::invalid_argument("tuner filter: states is " + std::to_string(model_.states) + "; expected 1 to " +
+void check_model(const TunerFilterModel& model) {
+  require_shape("G", model.G, model.auxiliary_trim.size(), model.D.cols());
+  check_gain("full set:", model.full, model);
+  if (model.states < 1 || model.states > max_states || model.full.A.rows() <= model.states) {
+    throw std::invalid_argument("tuner filter: states is " + std::to_string(model.states) + "; expected 1 to " +
                                 std::to_string(max_states) + ", and at least one tuner besides");
   }
-  check_tuner_structure("full set:", model_.full, model_.states);
-  if (model_.missing.size() != static_cast<std::size_t>(model_.D.rows())) {
-    throw std::invalid_argument("tuner filter: " + std::to_string(model_.missing.size()) +
+  check_tuner_structure("full set:", model.full, model.states);
+  if (model.missing.size() != static_cast<std::size_t>(model.D.rows())) {
+    throw std::invalid_argument("tuner filter: " + std::to_string(model.missing.size()) +
                                 " designs for a missing sensor; expected one entry for each of the " +
-                                std::to_string(model_.D.rows()) + " sensors");
+                                std::to_string(model.D.rows()) + " sensors");
   }
-  for (std::size_t i = 0; i < model_.missing.size(); ++i) {
-    if (!model_.missing[i]) continue;
+  for (std::size_t i = 0; i < model.missing.size(); ++i) {
+    if (!model.missing[i]) continue;
     const std::string set = "without sensor " + std::to_string(i) + ":";
-    check_gain(set, *model_.missing[i], model_);
-    check_tuner_structure(set, *model_.missing[i], model_.states);
+    check_gain(set, *model.missing[i], model);
+    check_tuner_structure(set, *model.missing[i], model.states);
   }
-  minus_D_ = -model_.D;
-  full_step_ = step_of(model_.full);
-  for (const auto& subset : model_.missing) missing_step_.push_back(subset ? step_of(*subset) : Step{});
-  innovation_.setZero(model_.D.rows());
-  fused_innovation_.setZero(model_.D.rows());
-  health_ = model_.health_trim;
-  auxiliary_ = model_.auxiliary_trim;
+}
+
+}  // namespace
+
+TunerFilter::TunerFilter(TunerFilterModel model)
+    : constants_(std::make_shared<const Constants>(constants_of(std::move(model)))) {
+  innovation_.setZero(this->model().D.rows());
+  fused_innovation_.setZero(this->model().D.rows());
+  health_ = this->model().health_trim;
+  auxiliary_ = this->model().auxiliary_trim;
   reset();
 }
 
-TunerFilter::Step TunerFilter::step_of(const SubsetGain& gain) const {
-  const Eigen::Index n = model_.states, a = gain.A.rows(), m = model_.D.rows(), nu = model_.D.cols();
+TunerFilter::Constants TunerFilter::constants_of(TunerFilterModel model) {
+  check_model(model);
+  Constants constants;
+  constants.minus_D = -model.D;
+  constants.full_step = step_of(model.full, model);
+  for (const auto& subset : model.missing) constants.missing_step.push_back(subset ? step_of(*subset, model) : Step{});
+  constants.model = std::move(model);
+  return constants;
+}
+
+TunerFilter::Step TunerFilter::step_of(const SubsetGain& gain, const TunerFilterModel& model) {
+  const Eigen::Index n = model.states, a = gain.A.rows(), m = model.D.rows(), nu = model.D.cols();
   Step step;
   step.prediction.resize(n + m, a + nu);
   step.prediction << gain.A.topRows(n), gain.B.topRows(n), -gain.C * gain.A, -gain.C * gain.B;
-  step.auxiliary.resize(model_.G.rows(), a + nu);
-  step.auxiliary << gain.auxiliary_output, model_.G;
+  step.auxiliary.resize(model.G.rows(), a + nu);
+  step.auxiliary << gain.auxiliary_output, model.G;
   return step;
 }
 
@@ -104,7 +115,7 @@ void TunerFilter::innovation(const SensorVector& dy, const ActuatorVector& du) n
   // nu = y[k] - Cxq xpred - D u[k]
   updated_.tail(du.size()) = du;
   innovation_ = dy + predicted_.tail(dy.size());
-  add_product(minus_D_, du.data(), innovation_.data());
+  add_product(constants_->minus_D, du.data(), innovation_.data());
 }
 
 void TunerFilter::update(SensorMask fused) noexcept {
@@ -115,7 +126,7 @@ void TunerFilter::update(SensorMask fused) noexcept {
   }
   if (carried_share_ > 0.0) carried_share_ -= carried_share_ * fading_;
   // xhat = xpred + K nu
-  updated_.head(model_.states) = predicted_.head(model_.states);
+  updated_.head(model().states) = predicted_.head(model().states);
   add_product(gain().K, fused_innovation_.data(), updated_.data());
   read_out();
 }
@@ -138,7 +149,7 @@ bool TunerFilter::switch_sensor_set(SensorSet set) noexcept {
 }
 
 void TunerFilter::re_reference(const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept {
-  const Eigen::Index nu = model_.D.cols();
+  const Eigen::Index nu = model().D.cols();
   re_referenced_.setZero(transfer.rows() + nu);
   re_referenced_.tail(nu) = updated_.tail(nu);
   add_product(transfer, updated_.data(), re_referenced_.data());
@@ -164,11 +175,28 @@ void TunerFilter::drop_carried() noexcept {
   read_out();
 }
 
+bool TunerFilter::restore(SensorSet set, const AugmentedVector& estimate) noexcept {
+  if (!available(set)) return false;
+  const SensorSet before = set_;
+  set_ = set;
+  if (estimate.size() != gain().A.rows()) {
+    set_ = before;
+    return false;
+  }
+  carried_share_ = 0.0;
+  updated_.setZero(estimate.size() + model().D.cols());
+  updated_.head(estimate.size()) = estimate;
+  predicted_.setZero();
+  innovation_.setZero();
+  read_out();
+  return true;
+}
+
 void TunerFilter::reset() noexcept {
   carried_share_ = 0.0;
   set_ = SensorSet::full();
-  updated_.setZero(model_.full.A.rows() + model_.D.cols());
-  predicted_.setZero(model_.states + model_.D.rows());
+  updated_.setZero(model().full.A.rows() + model().D.cols());
+  predicted_.setZero(model().states + model().D.rows());
   innovation_.setZero();
   read_out();
 }
@@ -176,17 +204,17 @@ void TunerFilter::reset() noexcept {
 bool TunerFilter::available(SensorSet set) const noexcept {
   if (set.is_full()) return true;
   const auto i = static_cast<std::size_t>(set.missing());
-  return i < model_.missing.size() && model_.missing[i].has_value();
+  return i < model().missing.size() && model().missing[i].has_value();
 }
 
 void TunerFilter::read_out() noexcept {
   // h = h_trim + W q, of Th = [0, W]
-  health_ = model_.health_trim;
+  health_ = model().health_trim;
   if (carried_share_ > 0.0) health_ += carried_share_ * carried_health_;
-  const Eigen::Index n = model_.states, t = gain().A.rows() - n;
+  const Eigen::Index n = model().states, t = gain().A.rows() - n;
   add_product(gain().health_output.rightCols(t), updated_.data() + n, health_.data());
   // z = z_trim + Tz xhat + G u[k]
-  auxiliary_ = model_.auxiliary_trim;
+  auxiliary_ = model().auxiliary_trim;
   if (carried_share_ > 0.0) auxiliary_ += carried_share_ * carried_auxiliary_;
   add_product(step().auxiliary, updated_.data(), auxiliary_.data());
 }

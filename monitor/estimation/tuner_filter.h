@@ -12,6 +12,7 @@
 // no clock, allocation, lock or exception after construction.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -64,6 +65,7 @@ struct TunerFilterModel {
 
 class TunerFilter {
  public:
+  /// Copies share the matrices.
   /// @throws std::invalid_argument if the matrices do not fit together (names the matrix and both shapes).
   explicit TunerFilter(TunerFilterModel model);
 
@@ -84,6 +86,9 @@ class TunerFilter {
   void carry(const HealthVector& health, const AuxiliaryVector& auxiliary, double fading) noexcept;
   /// Adds `delta` to xhat: takes out what a fault has put in. Real-time safe: yes.
   void shift(const AugmentedVector& delta) noexcept;
+  /// Goes on from an estimate that this filter had before: `estimate` is [x; q] of the design for `set`. Real-time
+  /// safe: yes. @returns false, and changes nothing, if there is no such design or the length is not its.
+  bool restore(SensorSet set, const AugmentedVector& estimate) noexcept;
   /// Back to xhat = 0 (the trim engine) with the full sensor set. Real-time safe: yes.
   void reset() noexcept;
 
@@ -99,7 +104,7 @@ class TunerFilter {
   [[nodiscard]] AugmentedVector estimate() const noexcept { return updated_.head(gain().A.rows()); }
   /// q, in percent of health.
   [[nodiscard]] TunerVector tuners() const noexcept {
-    return updated_.segment(model_.states, gain().A.rows() - model_.states);
+    return updated_.segment(model().states, gain().A.rows() - model().states);
   }
 
   /// Total error over the fleet (bias and noise, THEORY section 4): the published standard deviation.
@@ -116,9 +121,9 @@ class TunerFilter {
 
   /// Present design, for what compares estimates over time (shift detection).
   [[nodiscard]] const SubsetGain& gain() const noexcept {
-    return set_.is_full() ? model_.full : *model_.missing[static_cast<std::size_t>(set_.missing())];
+    return set_.is_full() ? model().full : *model().missing[static_cast<std::size_t>(set_.missing())];
   }
-  [[nodiscard]] const TunerFilterModel& model() const noexcept { return model_; }
+  [[nodiscard]] const TunerFilterModel& model() const noexcept { return constants_->model; }
 
  private:
   /// The matrices of one sensor set as a step uses them, each on [xhat; u].
@@ -127,18 +132,24 @@ class TunerFilter {
     BoundedMatrix<max_auxiliary, max_augmented + max_actuators> auxiliary;              ///< [Tz, G]
   };
 
-  Step step_of(const SubsetGain& gain) const;
+  /// Shared by all copies of a filter.
+  struct Constants {
+    TunerFilterModel model;
+    BoundedMatrix<max_sensors, max_actuators> minus_D;
+    Step full_step;
+    std::vector<Step> missing_step;  ///< as model.missing
+  };
+
+  static Step step_of(const SubsetGain& gain, const TunerFilterModel& model);
+  static Constants constants_of(TunerFilterModel model);
   const Step& step() const noexcept {
-    return set_.is_full() ? full_step_ : missing_step_[static_cast<std::size_t>(set_.missing())];
+    return set_.is_full() ? constants_->full_step : constants_->missing_step[static_cast<std::size_t>(set_.missing())];
   }
   void re_reference(const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept;
   void read_out() noexcept;
   void drop_carried() noexcept;
 
-  TunerFilterModel model_;
-  BoundedMatrix<max_sensors, max_actuators> minus_D_;
-  Step full_step_;
-  std::vector<Step> missing_step_;  ///< as model_.missing
+  std::shared_ptr<const Constants> constants_;
   SensorSet set_ = SensorSet::full();
   BoundedVector<max_augmented + max_actuators> updated_;        ///< [xhat; u]: u[k-1] in predict, then u[k]
   BoundedVector<max_states + max_sensors> predicted_;           ///< [states of xpred; -Cxq xpred]; q stays in updated_

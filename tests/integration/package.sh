@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs into an empty prefix, builds both example subscribers against it by find_package alone, and lets each print an
-# estimate of a live pair. Usage: package.sh BUILD_DIR DESIGN_FILE
+# Installs into an empty prefix, builds the examples against it by find_package alone, lets each subscriber print an
+# estimate of a live pair, and lets the sensor source in C take the simulator's place. Usage: package.sh BUILD_DIR DESIGN_FILE
 set -euo pipefail
 build=$(realpath "$1")
 design=$(realpath "$2")
@@ -16,7 +16,7 @@ clean_up() {
 trap clean_up EXIT
 
 cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"
-for example in subscriber_cpp subscriber_c; do
+for example in subscriber_cpp subscriber_c sensor_source_c; do
   cmake -S "$examples/$example" -B "$work/$example" -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/$example.log"
   cmake --build "$work/$example" >>"$work/$example.log" || { cat "$work/$example.log"; exit 1; }
 done
@@ -30,4 +30,8 @@ for program in subscriber_cpp/health_subscriber subscriber_c/health_subscriber_c
     exit 1
   }
 done
-echo "package: both examples read the installed services"
+
+start "$work/sensor_source_c/sensor_source_c" -d "$domain" -e 2 "$examples/sensor_source_c/jt9d_cruise.csv"
+"$work/prefix/bin/monitor" --monitor-design "$design" --dds-domain "$domain" --listen --seconds 2 |
+  grep -E '^engine 2, source 1: [0-9]+ samples|^verdict: OK' || { echo "package: the sensor source is not heard"; exit 1; }
+echo "package: the examples read the installed services and feed them"

@@ -19,6 +19,7 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
+  pid_t pid() const { return pid_; }
   void signal(int number) const;
   /// Exit code, 128 + signal number if a signal ended it, nothing if it still runs after the limit.
   std::optional<int> wait(std::chrono::milliseconds limit);

@@ -1,4 +1,4 @@
 #!/usr/bin/env bash
 # Soaks the pair: tests/soak/soak.sh --duration 10m|72h [--criteria FILE] [--json] [--accelerated]; --help tells all.
 set -euo pipefail
-exec python3 "$(dirname "$0")/soak.py" "$@"
+exec python3 -B "$(dirname "$0")/soak.py" "$@"

@@ -131,13 +131,13 @@ void note(const monitor::Event& event, double since_onset_s, bool broken, FaultO
   outcome.size = event.value;
 }
 
-FaultOutcome fly(const FaultStudyEngine& study, const engine::Scenario& scenario, double onset_s, double end_s,
+FaultOutcome fly(const monitor::PreparedDesign& study, const engine::Scenario& scenario, double onset_s, double end_s,
                  bool broken) {
   FaultOutcome outcome;
   std::optional<engine::Simulation> flight;
   try {
     flight.emplace(scenario);
-    monitor::MonitorCycle cycle(study.design, monitor::CycleOptions{}, study.tables);
+    monitor::MonitorCycle cycle(study, monitor::CycleOptions{});
     monitor::Sample sample;
     estimation::HealthVector before;
     for (int set = -1; flight->time_s() < end_s;) {
@@ -163,7 +163,7 @@ FaultOutcome fly(const FaultStudyEngine& study, const engine::Scenario& scenario
 
 }  // namespace
 
-FaultStudyEngine study_engine(const design::Design& design) {
+monitor::PreparedDesign study_engine(const design::Design& design) {
   if (design.model.engine_type != "jt9d" || !design.model.operating_point)
     throw std::invalid_argument("study faults: the design is for the engine type '" + design.model.engine_type +
                                 "'; allowed: jt9d at an operating point, as tuner_design linearise writes it");
@@ -171,10 +171,11 @@ FaultStudyEngine study_engine(const design::Design& design) {
   require_channels(design.model.health, engine::health_names, "health parameters");
   require_channels(design.model.controls, std::vector<std::string_view>{"fuel_flow", "VSV", "VBV"}, "controls");
   fan_speed_trim(design.model);
-  return {std::make_shared<const design::Design>(design), monitor::fault_tables(design)};
+  return monitor::PreparedDesign(std::make_shared<const design::Design>(design));
 }
 
-FaultOutcome fly_case(const FaultStudyEngine& study, const FaultCase& what, std::uint64_t seed, std::uint64_t index) {
+FaultOutcome fly_case(const monitor::PreparedDesign& study, const FaultCase& what, std::uint64_t seed,
+                      std::uint64_t index) {
   RandomStream random(seed, index);
   engine::Scenario scenario = scenario_of(*study.design, random);
   const double onset_s = settled_after_s(*study.design) + random.uniform();
@@ -186,7 +187,8 @@ FaultOutcome fly_case(const FaultStudyEngine& study, const FaultCase& what, std:
   return fly(study, scenario, onset_s, onset_s + what.row->watched_s, what.row->broken != Broken::nothing);
 }
 
-FaultOutcome fly_healthy(const FaultStudyEngine& study, double seconds, std::uint64_t seed, std::uint64_t index) {
+FaultOutcome fly_healthy(const monitor::PreparedDesign& study, double seconds, std::uint64_t seed,
+                         std::uint64_t index) {
   RandomStream random(seed, index);
   const engine::Scenario scenario = scenario_of(*study.design, random);
   const double onset_s = settled_after_s(*study.design);

@@ -9,8 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "monitor/design/design.h"
-#include "monitor/judge/fault_signatures.h"
+#include "monitor/prepared_design.h"
 #include "tuner_design/faults/fault_case.h"
 
 namespace ehm::bench {
@@ -27,19 +26,15 @@ struct FaultOutcome {
   int false_alarms = 0;              ///< before the onset, or with nothing broken
 };
 
-/// What all flights of a study share.
-struct FaultStudyEngine {
-  std::shared_ptr<const design::Design> design;
-  std::shared_ptr<const monitor::FaultTables> tables;
-};
-
 /// @throws std::invalid_argument if the nonlinear engine has other sensors or controls than the design (names them).
-FaultStudyEngine study_engine(const design::Design& design);
+monitor::PreparedDesign study_engine(const design::Design& design);
 
 /// The same seed and index give the same flight. Callable by several threads at once.
-FaultOutcome fly_case(const FaultStudyEngine& engine, const FaultCase& what, std::uint64_t seed, std::uint64_t index);
+FaultOutcome fly_case(const monitor::PreparedDesign& engine, const FaultCase& what, std::uint64_t seed,
+                      std::uint64_t index);
 
 /// A flight of `seconds` with nothing broken; false alarms are counted after convergence.
-FaultOutcome fly_healthy(const FaultStudyEngine& engine, double seconds, std::uint64_t seed, std::uint64_t index);
+FaultOutcome fly_healthy(const monitor::PreparedDesign& engine, double seconds, std::uint64_t seed,
+                         std::uint64_t index);
 
 }  // namespace ehm::bench

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "monitor/checks/sample_time_watch.h"
+#include "monitor/judge/second_source_watch.h"
+
 namespace {
 
 using namespace ehm::monitor;
@@ -86,6 +89,83 @@ TEST(SampleCheck, FollowsOneSourceUntilItIsReleased) {
   b.sequence = 1;
   b.source_time_ns = 15'000'000;
   EXPECT_EQ(c.decide(b).verdict, SampleVerdict::accepted);
+}
+
+TEST(SampleCheck, TellsWritersWithTheSameSourceIdApart) {
+  SampleCheck c = check();
+  Sample a = sample(0, 0.0), b = sample(1, 0.015);
+  a.writer = 1;
+  b.writer = 2;
+  EXPECT_EQ(c.decide(a).verdict, SampleVerdict::first);
+  EXPECT_EQ(c.decide(b).verdict, SampleVerdict::foreign);
+  b.writer = 0;  // who wrote it is not known, as in a recording of another make
+  EXPECT_EQ(c.decide(b).verdict, SampleVerdict::accepted);
+  c.release_source();
+  b = sample(2, 0.03);
+  b.writer = 2;
+  EXPECT_EQ(c.decide(b).verdict, SampleVerdict::accepted);
+  a = sample(3, 0.045);
+  a.writer = 1;
+  EXPECT_EQ(c.decide(a).verdict, SampleVerdict::foreign);
+}
+
+TEST(SampleCheck, StampsAtTheEndsOfTheirRangeRestart) {
+  constexpr auto latest = std::numeric_limits<std::int64_t>::max(), earliest = std::numeric_limits<std::int64_t>::min();
+  SampleCheck c = check();
+  c.decide(sample(0, 1.0));
+  Sample s = sample(1, 0.0);
+  s.source_time_ns = latest;
+  auto d = c.decide(s);
+  EXPECT_EQ(d.verdict, SampleVerdict::restarted);
+  EXPECT_NEAR(d.jump_s, 9.223e9, 1e6);
+  s.source_time_ns = earliest;  // 584 years back: more than an int64_t of nanoseconds holds
+  s.sequence = 2;
+  d = c.decide(s);
+  EXPECT_EQ(d.verdict, SampleVerdict::restarted);
+  EXPECT_NEAR(d.jump_s, -9.223e9, 1e6);
+}
+
+TEST(SampleCheck, ASequenceThatTimeDoesNotExplainIsNoLoss) {
+  SampleCheck c = check();
+  c.decide(sample(10, 0.0));
+  auto d = c.decide(sample(1'000'000'000'000, sample_time_s));
+  EXPECT_EQ(d.verdict, SampleVerdict::restarted);
+  EXPECT_EQ(d.lost, 0u);
+  d = c.decide(sample(~std::uint64_t{0}, 10.0));  // neither is it after ten seconds
+  EXPECT_EQ(d.verdict, SampleVerdict::restarted);
+  EXPECT_EQ(d.lost, 0u);
+}
+
+TEST(SampleTimeWatch, OneStepOfTheSourcesClockDoesNotMatterAnotherRateDoes) {
+  SampleTimeWatch watch(sample_time_s);
+  EventList events;
+  SampleDecision d{SampleVerdict::accepted, 1, 0, 0.0, sample_time_s};
+  for (int i = 0; i < 128; ++i) {
+    d.dt_s = i == 20 ? 1.9 : sample_time_s;
+    EXPECT_TRUE(watch.judge(d, events)) << i;
+  }
+  d.dt_s = 4.0 * sample_time_s;
+  for (int i = 0; i < 64; ++i) watch.judge(d, events);
+  EXPECT_FALSE(watch.judge(d, events));
+  EXPECT_EQ(events.size(), 1u);
+}
+
+TEST(SecondSourceWatch, SaysOnceAndEndsWhenTheOtherIsQuiet) {
+  SecondSourceWatch watch;
+  EventList events;
+  Sample other;
+  other.source_id = 2;
+  for (int i = 0; i < 5; ++i) watch.foreign(other, 1, events);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events.begin()->value, 2.0);
+  EXPECT_EQ(events.begin()->threshold, 1.0);
+  for (int i = 0; i < 199; ++i) watch.followed(events);
+  watch.foreign(other, 1, events);
+  for (int i = 0; i < 199; ++i) watch.followed(events);
+  EXPECT_EQ(events.size(), 1u);
+  watch.followed(events);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_FALSE((events.begin() + 1)->raised);
 }
 
 TEST(SampleCheck, RestartsAfterAGapLongerThanAllowedAndStillCountsIt) {

@@ -1,0 +1,18 @@
+#pragma once
+// What a service tells systemd through NOTIFY_SOCKET (sd_notify(3), units with Type=notify). Without systemd nothing
+// happens. Never call these on the cycle thread: each is a system call.
+
+#include <string>
+
+namespace ehm::service {
+
+/// READY=1: everything that the service needs is there; also ends a reload.
+void notify_ready();
+/// STATUS=...: one line that `systemctl status` shows.
+void notify_status(const std::string& text);
+/// RELOADING=1 with the time that Type=notify-reload asks for; call notify_ready when it is done.
+void notify_reloading();
+/// STOPPING=1: the stop has been asked for and is under way.
+void notify_stopping();
+
+}  // namespace ehm::service

@@ -1,0 +1,47 @@
+#pragma once
+// The documented values of wire_values.h as words, for displays, metrics and logs.
+
+#include <array>
+#include <utility>
+
+#include "idl/wire_values.h"
+
+namespace ehm::wire {
+
+/// "?" for a value that this version does not know.
+inline const char* level_name(std::uint32_t level) {
+  constexpr std::array names{"OK", "WARN", "ERROR", "STALE", "STOPPED"};
+  return level < names.size() ? names[level] : "?";
+}
+
+/// Of EventKind, by value; [0] is none.
+inline constexpr std::array event_kind_names{"?",
+                                             "sensor_fault",
+                                             "health_shift",
+                                             "health_limit",
+                                             "auxiliary_limit",
+                                             "input_lost",
+                                             "filter_restart",
+                                             "operating_point",
+                                             "no_design",
+                                             "sample_time",
+                                             "second_source",
+                                             "ambiguous_fault",
+                                             "slow_bias",
+                                             "checkpoint",
+                                             "configuration",
+                                             "input_deadline",
+                                             "input_liveliness",
+                                             "incompatible_qos",
+                                             "recording",
+                                             "security"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::security) + 1);
+
+inline constexpr std::array<std::pair<std::uint32_t, const char*>, 5> estimate_flag_names{
+    {{estimate_flag::converging, "converging"},
+     {estimate_flag::bridging, "bridging"},
+     {estimate_flag::degraded, "degraded"},
+     {estimate_flag::off_design, "off_design"},
+     {estimate_flag::shifted, "shifted"}}};
+
+}  // namespace ehm::wire

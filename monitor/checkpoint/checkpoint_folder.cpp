@@ -1,0 +1,98 @@
+#include "monitor/checkpoint/checkpoint_folder.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "deploy/files/atomic_file.h"
+#include "deploy/files/file_error.h"
+#include "monitor/design/json_object.h"
+
+namespace ehm::monitor {
+
+namespace {
+
+constexpr std::string_view prefix = "engine_", suffix = ".json";
+constexpr std::uintmax_t largest_file = 1 << 20;  // a checkpoint of full capacity is below 100 kB
+
+/// The engine that a file name stands for; 0 if it is no checkpoint's name.
+std::uint32_t engine_of(const std::string& name) {
+  if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) || !name.ends_with(suffix)) return 0;
+  const char* begin = name.data() + prefix.size();
+  const char* end = name.data() + name.size() - suffix.size();
+  std::uint32_t id = 0;
+  const auto [stop, error] = std::from_chars(begin, end, id);
+  return error == std::errc() && stop == end ? id : 0;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || unknown) throw files::FileError(path.string() + ": cannot be read. Check the permissions.");
+  if (size > largest_file)
+    throw files::FileError(path.string() + ": is " + std::to_string(size) + " bytes long, a checkpoint has at most " +
+                           std::to_string(largest_file));
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// Why a readable checkpoint does not belong here and now; empty if it does.
+std::string misfit(const Checkpoint& c, std::uint32_t named, const std::string& design_hash, double max_age_s,
+                   std::int64_t wall_time_ns) {
+  if (c.engine_id != named)
+    return "holds engine " + std::to_string(c.engine_id) + ", its name says " + std::to_string(named);
+  if (design_hash.empty()) return "no design serves this engine";
+  if (c.design_hash != design_hash)
+    return "was made with design " + c.design_hash.substr(0, 12) + ", now flies " + design_hash.substr(0, 12);
+  const double age_s = 1e-9 * (static_cast<double>(wall_time_ns) - static_cast<double>(c.wall_time_ns));
+  if (std::abs(age_s) > max_age_s)
+    return "is " + design::shown(std::round(age_s)) + " s old, checkpoint.max_age_s allows " + design::shown(max_age_s);
+  return {};
+}
+
+}  // namespace
+
+std::string checkpoint_path(const std::string& folder, std::uint32_t engine_id) {
+  return (std::filesystem::path(folder) / (std::string(prefix) + std::to_string(engine_id) + std::string(suffix)))
+      .string();
+}
+
+void require_writable_folder(const std::string& folder) {
+  const std::string probe = (std::filesystem::path(folder) / "writable").string();
+  files::AtomicFile file(probe);  // its temporary file is gone without commit()
+}
+
+ResumeTable::ResumeTable(const std::string& folder, double max_age_s, std::int64_t wall_time_ns,
+                         const std::function<std::string(std::uint32_t)>& design_hash_of,
+                         std::vector<RefusedCheckpoint>& refused) {
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    const std::uint32_t id = engine_of(entry.path().filename().string());
+    if (id == 0) continue;
+    const std::string file = entry.path().string();
+    try {
+      Checkpoint checkpoint = parse_checkpoint(read_text(entry.path()), file);
+      const std::string why = misfit(checkpoint, id, design_hash_of(id), max_age_s, wall_time_ns);
+      if (why.empty())
+        checkpoints_.push_back(std::move(checkpoint));
+      else
+        refused.push_back({id, file + ": " + why});
+    } catch (const std::exception& e) {
+      refused.push_back({id, e.what()});
+    }
+  }
+  if (unreadable) refused.push_back({0, folder + ": cannot be read: " + unreadable.message()});
+  std::sort(checkpoints_.begin(), checkpoints_.end(),
+            [](const Checkpoint& a, const Checkpoint& b) { return a.engine_id < b.engine_id; });
+}
+
+const Checkpoint* ResumeTable::find(std::uint32_t engine_id) const noexcept {
+  const auto it = std::lower_bound(checkpoints_.begin(), checkpoints_.end(), engine_id,
+                                   [](const Checkpoint& c, std::uint32_t id) { return c.engine_id < id; });
+  return it != checkpoints_.end() && it->engine_id == engine_id ? &*it : nullptr;
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,27 @@
+#include "monitor/listen/expectation.h"
+
+#include "monitor/estimation/steady_gain.h"
+
+namespace ehm::monitor {
+
+Expectation expect_sensors(const estimation::LinearModel& model, const Eigen::VectorXd& actuators) {
+  const auto m = static_cast<Eigen::Index>(model.sensors.size());
+  Eigen::VectorXd trim(m), du(actuators.size());
+  for (Eigen::Index i = 0; i < m; ++i) trim(i) = model.sensors[static_cast<std::size_t>(i)].trim;
+  for (Eigen::Index i = 0; i < du.size(); ++i) du(i) = actuators(i) - model.controls[static_cast<std::size_t>(i)].trim;
+
+  // The gain of the actuators is that of a model whose "health" they are.
+  estimation::LinearModel acted = model;
+  acted.L = model.B;
+  acted.M = model.D;
+  const Eigen::MatrixXd H = estimation::steady_gain(model).H;
+  Eigen::VectorXd value = trim;
+  if (du.size() > 0) value += estimation::steady_gain(acted).H * du;
+
+  Eigen::VectorXd variance = (H * model.health_sigma.asDiagonal()).rowwise().squaredNorm() +
+                             model.sensor_noise_sigma.cwiseAbs2() + (0.01 * trim).cwiseAbs2();
+  if (model.linearisation_error.size() > 0) variance += model.linearisation_error.diagonal().head(m);
+  return {value, variance.cwiseSqrt()};
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,69 @@
+#include "monitor/listen/suspicion.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+
+namespace ehm::monitor {
+
+namespace {
+
+/// A value v in the wrong unit becomes right as scale * v + offset.
+struct Confusion {
+  const char *wrong, *right;
+  double scale, offset;
+};
+constexpr Confusion confusions[]{
+    {"degC", "K", 1.0, 273.15},      {"degF", "K", 5.0 / 9.0, 255.372}, {"degR", "K", 5.0 / 9.0, 0.0},
+    {"K", "degR", 1.8, 0.0},         {"psi", "kPa", 6.894757, 0.0},     {"psi", "Pa", 6894.757, 0.0},
+    {"kPa", "Pa", 1000.0, 0.0},      {"Pa", "kPa", 0.001, 0.0},         {"kPa", "psi", 1 / 6.894757, 0.0},
+    {"bar", "kPa", 100.0, 0.0},      {"bar", "Pa", 1e5, 0.0},           {"rpm", "rad/s", 0.1047198, 0.0},
+    {"rad/s", "rpm", 9.549297, 0.0}, {"Hz", "rpm", 60.0, 0.0}};
+
+bool near(double value, const Expectation& e, Eigen::Index i) {
+  return std::abs(value - e.value(i)) <= implausible_spreads * e.spread(i);
+}
+
+/// Both values are right where the other stands, and wrong where they stand.
+std::string swap_partner(const std::vector<estimation::Channel>& sensors, const Eigen::VectorXd& mean,
+                         const Expectation& e, Eigen::Index i) {
+  for (Eigen::Index j = 0; j < mean.size(); ++j)
+    if (j != i && near(mean(i), e, j) && near(mean(j), e, i) && !near(mean(j), e, j))
+      return "; swapped with " + sensors[static_cast<std::size_t>(j)].name + "?";
+  return "";
+}
+
+std::string other_place(const std::vector<estimation::Channel>& sensors, const Eigen::VectorXd& mean,
+                        const Expectation& e, Eigen::Index i) {
+  for (Eigen::Index j = 0; j < mean.size(); ++j)
+    if (j != i && near(mean(i), e, j))
+      return "; it would be right for " + sensors[static_cast<std::size_t>(j)].name + ", is the order right?";
+  return "";
+}
+
+std::string unit_confusion(const estimation::Channel& sensor, double mean, const Expectation& e, Eigen::Index i) {
+  if (sensor.trim != 0.0 && near(0.01 * mean * sensor.trim, e, i)) return "; it looks like percent of trim";
+  for (const Confusion& c : confusions)
+    if (sensor.unit == c.right && near(c.scale * mean + c.offset, e, i))
+      return fmt::format("; it looks like {}, {} is needed", c.wrong, c.right);
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> suspicions(const std::vector<estimation::Channel>& sensors, const Eigen::VectorXd& mean,
+                                    const Expectation& e) {
+  std::vector<std::string> texts;
+  for (Eigen::Index i = 0; i < mean.size(); ++i) {
+    if (!std::isfinite(mean(i)) || near(mean(i), e, i)) continue;
+    const estimation::Channel& sensor = sensors[static_cast<std::size_t>(i)];
+    std::string why = swap_partner(sensors, mean, e, i);
+    if (why.empty()) why = unit_confusion(sensor, mean(i), e, i);
+    if (why.empty()) why = other_place(sensors, mean, e, i);
+    texts.push_back(fmt::format("sensor {}: mean {:.6g} {}, {:.6g} +- {:.3g} expected{}", sensor.name, mean(i),
+                                sensor.unit, e.value(i), e.spread(i), why));
+  }
+  return texts;
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,165 @@
+#include "monitor/listen/wiring_check.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "idl/wire_values.h"
+#include "monitor/judge/validity.h"
+#include "monitor/listen/expectation.h"
+#include "monitor/listen/suspicion.h"
+
+namespace ehm::monitor {
+
+namespace {
+
+constexpr double sample_time_tolerance = 0.1;  // the monitor's own, checks/sample_time_watch.h
+constexpr double clock_tolerance = 0.005;      // two clocks that run apart by more than this are not both right
+constexpr double noise_ratio_max = 3.0, noise_ratio_min = 0.1;
+constexpr std::uint64_t samples_for_noise = 50;
+
+using Findings = std::vector<Finding>;
+
+void error(Findings& findings, std::string text) {
+  findings.push_back({true, std::move(text)});
+}
+void warning(Findings& findings, std::string text) {
+  findings.push_back({false, std::move(text)});
+}
+
+void check_order(const SourceRecord& s, Findings& findings) {
+  if (s.last.schema() != wire::schema_version)
+    error(findings, fmt::format("schema is {}, this monitor reads {}", s.last.schema(), wire::schema_version));
+  if (s.last.source_id() == 0) error(findings, "source_id is 0, which is reserved; number your sources from 1");
+  if (s.samples > 1 && s.source.count == 0) error(findings, "sequence_number does not grow: add 1 a sample");
+  if (s.repeated > 0 && s.source.count > 0)
+    warning(findings, fmt::format("{} samples repeat the sequence_number before", s.repeated));
+  if (s.overtaken > 0) warning(findings, fmt::format("{} samples came after a later one", s.overtaken));
+  if (s.lost > 0) warning(findings, fmt::format("{} samples are missing in the sequence", s.lost));
+  if (s.set_back > 0)
+    error(findings,
+          fmt::format("source_time_ns did not grow in {} samples: stamp each when it was measured", s.set_back));
+}
+
+void check_times(const SourceRecord& s, double sample_time_s, double stale_s, Findings& findings) {
+  if (s.source.count == 0) return;
+  const double source = s.source.mean_s() / sample_time_s, own = s.own.mean_s() / sample_time_s;
+  if (std::abs(source - 1.0) > sample_time_tolerance) {
+    std::string hint = "the monitor withholds estimates of samples in another rate";
+    for (const auto& [unit, factor] : {std::pair{"seconds", 1e-9}, {"milliseconds", 1e-6}, {"microseconds", 1e-3}})
+      if (std::abs(source / factor - 1.0) < sample_time_tolerance)
+        hint = fmt::format("it looks like {}, nanoseconds are needed", unit);
+    error(findings, fmt::format("source_time_ns grows by {:.6g} s a sample, the design has {:.6g} s: {}",
+                                s.source.mean_s(), sample_time_s, hint));
+  } else if (std::abs(own / source - 1.0) > clock_tolerance && s.own.count > samples_for_noise) {
+    warning(findings, fmt::format("samples come every {:.6g} s by our clock, every {:.6g} s by the source's",
+                                  s.own.mean_s(), s.source.mean_s()));
+  }
+  if (s.own.max_s > stale_s)
+    warning(findings, fmt::format("the longest gap was {:.1f} ms; beyond {:.1f} ms the monitor says STALE",
+                                  1e3 * s.own.max_s, 1e3 * stale_s));
+}
+
+void check_names(const char* kind, const ChannelDescription* said, std::size_t count,
+                 const std::vector<estimation::Channel>& channels, Findings& findings) {
+  for (std::size_t i = 0; i < std::min(count, channels.size()); ++i) {
+    const std::string name = said[i].name().c_str(), unit = said[i].unit().c_str();
+    if (name == channels[i].name && unit == channels[i].unit) continue;
+    error(findings, fmt::format("{} {} is {} in {} by the source's description, {} in {} by the design", kind, i, name,
+                                unit, channels[i].name, channels[i].unit));
+  }
+}
+
+bool check_counts(const SourceRecord& s, const estimation::LinearModel& model, Findings& findings) {
+  const auto fits = [&](const char* kind, std::size_t sent, std::size_t wanted) {
+    if (sent != wanted) error(findings, fmt::format("{}_count is {}, the design has {}", kind, sent, wanted));
+    return sent == wanted;
+  };
+  const bool sensors = fits("sensor", s.last.sensor_count(), model.sensors.size());
+  const bool actuators = fits("actuator", s.last.actuator_count(), model.controls.size());
+  return sensors && actuators;
+}
+
+void check_values(const char* kind, const std::string& name, const ChannelRecord& c, Findings& findings) {
+  if (c.not_finite > 0)
+    error(findings,
+          fmt::format("{} {}: NaN or infinite in {} samples although marked valid", kind, name, c.not_finite));
+  else if (c.good == 0)
+    error(findings, fmt::format("{} {}: its bit in sensor_valid was never set", kind, name));
+  else if (c.invalid > 0)
+    warning(findings, fmt::format("{} {}: marked invalid in {} samples", kind, name, c.invalid));
+}
+
+void check_noise(const std::string& name, const ChannelRecord& c, double sigma, std::uint64_t stuck,
+                 Findings& findings) {
+  if (c.longest_equal_run >= stuck) {
+    error(findings, fmt::format("sensor {}: {} equal values in a row, the monitor takes it for stuck", name,
+                                c.longest_equal_run));
+    return;
+  }
+  if (c.good < samples_for_noise || !(sigma > 0.0)) return;
+  const double ratio = c.noise() / sigma;
+  if (ratio > noise_ratio_max)
+    warning(findings, fmt::format("sensor {}: noise is {:.1f} times the design's {:.3g}", name, ratio, sigma));
+  if (ratio < noise_ratio_min)
+    warning(findings, fmt::format("sensor {}: noise is only {:.2f} times the design's {:.3g}; filtered or coarse?",
+                                  name, ratio, sigma));
+}
+
+bool at_design_point(const SourceRecord& s, const CycleOptions& options, const estimation::LinearModel& model) {
+  Sample sample;
+  sample.flight = {s.last.altitude_m(), s.last.mach(), s.last.delta_isa_k()};
+  std::copy(s.last.actuator().begin(), s.last.actuator().end(), sample.actuator.begin());
+  EventList unheard;
+  return Validity(options.validity, model).judge(sample, unheard);
+}
+
+}  // namespace
+
+bool WiringReport::has_error() const {
+  return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.error; });
+}
+
+WiringReport check_wiring(const SourceRecord& s, const design::Design& design, const CycleOptions& options,
+                          const EngineDescription* description) {
+  const estimation::LinearModel& model = design.model;
+  WiringReport report;
+  Findings& findings = report.findings;
+  check_order(s, findings);
+  check_times(s, model.sample_time_s, options.stale_periods * model.sample_time_s, findings);
+  if (description) {
+    check_names("sensor", description->sensors().data(), description->sensor_count(), model.sensors, findings);
+    check_names("actuator", description->actuators().data(), description->actuator_count(), model.controls, findings);
+  }
+  if (!check_counts(s, model, findings)) return report;
+
+  const auto actuators = static_cast<Eigen::Index>(model.controls.size());
+  Eigen::VectorXd acting(actuators);
+  for (Eigen::Index i = 0; i < actuators; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    check_values("actuator", model.controls[k].name, s.actuators[k], findings);
+    acting(i) = s.actuators[k].mean();
+  }
+  for (std::size_t i = 0; i < model.sensors.size(); ++i) {
+    check_values("sensor", model.sensors[i].name, s.sensors[i], findings);
+    check_noise(model.sensors[i].name, s.sensors[i], model.sensor_noise_sigma(static_cast<Eigen::Index>(i)),
+                static_cast<std::uint64_t>(options.checks.stuck_samples), findings);
+  }
+  if (!acting.allFinite()) return report;
+  const Expectation expectation = expect_sensors(model, acting);
+  Eigen::VectorXd mean(expectation.value.size());
+  for (Eigen::Index i = 0; i < mean.size(); ++i) {
+    mean(i) = s.sensors[static_cast<std::size_t>(i)].mean();
+    report.sensors.push_back(
+        {expectation.value(i), expectation.spread(i), (mean(i) - expectation.value(i)) / expectation.spread(i)});
+  }
+  const bool at_point = at_design_point(s, options, model);
+  if (!at_point)
+    warning(
+        findings,
+        fmt::format("the engine is not at the design's point (altitude {:.0f} m, Mach {:.3f}, {:+.1f} K, actuators): "
+                    "the monitor withholds estimates there, and plausibility is a hint only",
+                    s.last.altitude_m(), s.last.mach(), s.last.delta_isa_k()));
+  for (const std::string& text : suspicions(model.sensors, mean, expectation)) findings.push_back({at_point, text});
+  return report;
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,26 @@
+#!/bin/sh
+# Run inside the chroot by packages.sh: the installed pair with its shipped configuration, each as its user, on DDS.
+# Usage: in_chroot.sh DOMAIN
+set -eu
+export EHM_DDS_DOMAIN="$1"
+# exec, so that $! is the program itself and a signal reaches it
+as() { user=$1; shift; exec setpriv --reuid="$user" --regid="$user" --init-groups -- "$@"; }
+fail() { echo "packages: in the chroot: $*"; cat /tmp/monitor.log /tmp/engine_sim.log; head -c 3000 /tmp/watch.log; exit 1; }
+
+for pair in ehm:monitor ehm-sim:engine_sim; do
+  user=${pair%%:*}; program=${pair##*:}
+  (as "$user" "$program" --config "/etc/ehm/$program.toml" --check-config) >/tmp/check.log 2>&1 || fail "$program refuses its shipped configuration"
+done
+as ehm monitor --config /etc/ehm/monitor.toml 2>/tmp/monitor.log & monitor=$!
+as ehm-sim engine_sim --config /etc/ehm/engine_sim.toml --run-wait-for-monitors 1 2>/tmp/engine_sim.log & simulator=$!
+# Its verdict of 3 sigmas is chance for one in some thirty flights; what counts here is that estimates flow.
+ehm_watch --domain "$1" --seconds 10 --timeout 60 --json >/tmp/watch.log 2>&1 || true
+grep -q '"samples_lost": 0' /tmp/watch.log && grep -qE '"samples_received": [0-9]{3}' /tmp/watch.log || fail "no flow of estimates"
+for program in monitor engine_sim; do
+  status=$(grep -l "^Name:	$program\$" /proc/[0-9]*/status) || fail "$program is gone"
+  grep -q '^Uid:	0	' $status && fail "$program runs as root"
+done
+kill -TERM "$simulator" "$monitor"
+wait "$simulator" || fail "engine_sim ended with $?"
+wait "$monitor" || fail "monitor ended with $?"
+echo "packages: ok: the installed pair flew 10 s as ehm and ehm-sim, and lost nothing"

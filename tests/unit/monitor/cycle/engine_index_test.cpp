@@ -1,0 +1,36 @@
+#include "monitor/engine_index.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using ehm::monitor::EngineIndex;
+
+TEST(EngineIndex, FindsWhatWasAddedAndNothingElse) {
+  constexpr std::uint32_t engines = 1000;
+  EngineIndex index(engines);
+  const auto id = [](std::uint32_t i) { return i % 2 == 0 ? i + 1 : 4294967295u - i; };  // near both ends of the range
+  for (std::uint32_t i = 0; i < engines; ++i) {
+    EXPECT_EQ(index.find(id(i)), EngineIndex::none);
+    index.add(id(i), i);
+  }
+  for (std::uint32_t i = 0; i < engines; ++i) EXPECT_EQ(index.find(id(i)), i);
+  EXPECT_EQ(index.find(500'000), EngineIndex::none);
+}
+
+TEST(EngineIndex, IdsThatCollideStayApart) {
+  EngineIndex index(3);  // 8 places: ids 8 apart share one
+  index.add(8, 0);
+  index.add(16, 1);
+  index.add(24, 2);
+  EXPECT_EQ(index.find(8), 0u);
+  EXPECT_EQ(index.find(16), 1u);
+  EXPECT_EQ(index.find(24), 2u);
+  EXPECT_EQ(index.find(32), EngineIndex::none);
+}
+
+TEST(EngineIndex, OfNothingFindsNothing) {
+  EXPECT_EQ(EngineIndex(0).find(1), EngineIndex::none);
+}
+
+}  // namespace
