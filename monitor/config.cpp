@@ -64,6 +64,24 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
               "that the wear of an engine of the fleet alone looks like a slow bias of a sensor");
 }
 
+void declare_recording(Schema& schema, MonitorConfig& m) {
+  schema.text(
+      "record.file", m.record.file,
+      "records every sample and its estimates there (HDF5); an existing file is kept, the next free number taken");
+  schema.alias("record.file", "--record");
+  schema.integer("record.max_mb", m.record.max_mb, 1, 1000000, "MB", "a larger recording goes on in another file");
+  schema.integer("record.max_files", m.record.max_files, 1, 9999, "files",
+                 "the oldest ones beyond so many are removed");
+  schema.text("offline.file", m.offline.file,
+              "a recording or CSV file to estimate from without DDS, instead of serving");
+  schema.alias("offline.file", "--offline");
+  schema.text("offline.out", m.offline.out, "recording to write from offline.file, with its estimates");
+  schema.alias("offline.out", "--out");
+  schema.text("offline.column_map", m.offline.column_map,
+              "TOML file that says which column of a CSV file is which channel; empty: offline.file is a recording");
+  schema.alias("offline.column_map", "--column-map");
+}
+
 void declare_realtime(Schema& schema, RealtimeOptions& o) {
   schema.choice("realtime.policy", o.policy, {"other", "fifo"},
                 "scheduling of the cycle thread; fifo needs a privilege, without it a warning says how to get it");
@@ -138,11 +156,15 @@ void declare(Schema& schema, MonitorConfig& m) {
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
   declare_realtime(schema, m.realtime);
+  declare_recording(schema, m);
   declare_checkpoint(schema, m);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", m.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
   schema.text("dds.profile", m.profile, "participant profile to take from dds.profiles_file");
+  schema.text(
+      "dds.security", m.security,
+      "directory of certificates and permissions that make_security.sh made; empty: no security, anybody may join");
   schema.choice("dds.ownership", m.ownership, {"shared", "exclusive"},
                 "of the estimate topics; exclusive for redundant monitors, and their readers must ask for it");
   schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",
@@ -169,6 +191,10 @@ void finish_config(const MonitorConfig& m) {
   } catch (const std::invalid_argument& e) {
     throw ConfigError(std::string("'metrics.listen' ") + e.what() + ", empty for none");
   }
+  if (m.offline.file.empty() != m.offline.out.empty())
+    throw ConfigError("'offline.file' and 'offline.out' need each other: --offline FILE --out FILE");
+  if (m.offline.file.empty() && !m.offline.column_map.empty())
+    throw ConfigError("'offline.column_map' is for 'offline.file', which is not set");
   std::set<std::int64_t> seen;
   for (const auto& e : m.engines)
     for (const auto id : e.ids)

@@ -28,13 +28,15 @@ struct MonitorConfig {
   std::string clock = "monotonic";
   CycleOptions cycle;
   RealtimeOptions realtime;
+  RecordOptions record;
+  OfflineOptions offline;
 
   std::string checkpoint_directory;  ///< empty: no checkpoints
   double checkpoint_period_s = 5.0;
   double checkpoint_max_age_s = 300.0;
 
   std::int64_t domain = 0;
-  std::string partition, profiles_file, profile = "ehm_participant";
+  std::string partition, profiles_file, profile = "ehm_participant", security;
   std::string ownership = "shared";
   std::int64_t ownership_strength = 1;
   double input_deadline_s = 0.0, input_lease_s = 0.0;

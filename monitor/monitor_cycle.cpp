@@ -270,13 +270,14 @@ std::uint32_t MonitorCycle::estimate_flags() const noexcept {
   return flags;
 }
 
-void MonitorCycle::no_input(double age_s) noexcept {
+bool MonitorCycle::no_input(double age_s) noexcept {
   const double limit_s = options_.stale_periods * design_->model.sample_time_s;
-  if (age_s <= limit_s) return;
+  if (age_s <= limit_s) return false;
   input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, 0}, events_);
   // The source is gone: whoever sends next may take its place.
   sample_check_.release_source();
   second_source_.end(events_);
+  return true;
 }
 
 }  // namespace ehm::monitor

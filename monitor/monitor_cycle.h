@@ -67,9 +67,9 @@ class MonitorCycle {
   /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
   /// result stands. Real-time safe: yes.
   bool process(const Sample& sample) noexcept;
-  /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. Real-time safe:
-  /// yes.
-  void no_input(double age_s) noexcept;
+  /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. True if it does.
+  /// Real-time safe: yes.
+  bool no_input(double age_s) noexcept;
   /// Cold start of the filter, by an operator's order. Real-time safe: yes.
   void reset() noexcept;
 

@@ -49,6 +49,20 @@ struct LimitOptions {
   double min, max, hysteresis;
 };
 
+/// Everything that the cycles see and say, in a file (deploy/docs/recording.md).
+struct RecordOptions {
+  std::string file;  ///< empty: nothing is recorded
+  std::int64_t max_mb = 1000;
+  std::int64_t max_files = 10;
+};
+
+/// A recording or a CSV file through the cycles, without DDS.
+struct OfflineOptions {
+  std::string file;  ///< empty: the service runs
+  std::string out;
+  std::string column_map;  ///< of a CSV file
+};
+
 struct CycleOptions {
   CheckOptions checks;
   ValidityOptions validity;

@@ -5,11 +5,13 @@
 #include <optional>
 
 #include "deploy/service/notify.h"
+#include "deploy/service/security_watch.h"
 #include "deploy/service/stop_signal.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/cycle_thread.h"
 #include "monitor/export/metrics_endpoint.h"
 #include "monitor/realtime/clock.h"
+#include "monitor/record/recorder.h"
 #include "monitor/reporter.h"
 
 namespace ehm::monitor {
@@ -21,6 +23,7 @@ wire::ParticipantOptions service_participant(const MonitorConfig& config) {
   options.profiles_file = config.profiles_file;
   options.profile = config.profile;
   options.partition = config.partition;
+  options.security = config.security;
   options.redundancy = {config.ownership == "exclusive", static_cast<std::uint32_t>(config.ownership_strength)};
   return options;
 }
@@ -62,19 +65,29 @@ struct Checkpoints {
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
+  std::optional<Recorder> recorder;
+  if (!config.record.file.empty()) recorder.emplace(config, engines);
   NoticeBoard notices;
   InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
+  auto options = watched_participant(config, notices, input);
+  auto incidents = service::hear_incidents(options);
   wire::Participant participant = [&] {
     const MiddlewarePolicy inherited(config.realtime);
-    return wire::Participant(watched_participant(config, notices, input));
+    return wire::Participant(std::move(options));
   }();
   auto reports = std::make_unique<ReportQueue>();
   const auto source_id = static_cast<std::uint32_t>(config.source_id);
   StatusBoard board;
   Reporter reporter(participant, source_id, *reports, notices, input, board);
+  std::optional<service::SecurityWatch> security;
+  if (!config.security.empty())
+    security.emplace(participant, std::move(incidents), [&](const auto& text, auto times) {
+      notices.post({wire::EventKind::security, true, service::incident_text(text, times)});
+    });
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
-  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr);
+  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr,
+                    recorder ? &recorder->feed() : nullptr);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
@@ -83,7 +96,7 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   service::notify_ready();
   while (!stop.requested()) cycle.run_once();
   service::notify_stopping();
-  cycle.say_stopped();
+  cycle.stop();
   spdlog::info("stopped in order");
 }
 

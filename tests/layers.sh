@@ -30,7 +30,8 @@ forbid "estimation stands below everything" 'monitor/(checks|judge|dds|design|mo
 forbid "the monitor flies without the bench and without the simulator" 'tuner_design/|engine_sim/(control|sensors|scenario|dds|simulation)' monitor
 forbid "the bench is offline: no DDS" "$dds" tuner_design monitor/design
 forbid "the offline commands need no DDS" "$dds" engine_sim/deck engine_sim/figures engine_sim/commands.h engine_sim/commands.cpp
-forbid "files know no program" 'engine_sim/|monitor/|tuner_design/' deploy/files
+forbid "files know no program" 'engine_sim/|monitor/|tuner_design/' deploy/files deploy/recording
+forbid "recordings know no DDS" "$dds" deploy/recording
 forbid "the wire knows no service" 'engine_sim/|monitor/|tuner_design/' idl
 forbid "nothing includes the tests" 'tests/' engine_sim monitor tuner_design idl deploy
 

@@ -17,6 +17,7 @@
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
+#include "idl/dds/security.h"
 #include "idl/wire_values.h"
 
 namespace {
@@ -26,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 struct Options {
   std::uint32_t domain = 0, engine = 1;
-  std::string partition;
+  std::string partition, security;
   double seconds = 0.0;
   double timeout_s = 30.0;
   bool json = false;
@@ -119,6 +120,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 232))
       ->capture_default_str();
   app.add_option("--partition,--dds-partition", options.partition, "DDS partition");
+  app.add_option("--security,--dds-security", options.security,
+                 "directory of certificates and permissions that make_security.sh made")
+      ->envname("EHM_DDS_SECURITY");
   app.add_option("--engine", options.engine, "engine_id to show")
       ->check(CLI::Range(1u, 4294967295u))
       ->capture_default_str();
@@ -141,10 +145,18 @@ int main(int argc, char** argv) {
   }
 
   try {
+    wire::check_security(options.security);
+  } catch (const wire::DdsError& e) {
+    std::cerr << "ehm_watch: " << e.what() << '\n';
+    return service::exit_usage;
+  }
+
+  try {
     wire::ParticipantOptions participant_options;
     participant_options.domain = options.domain;
     participant_options.name = "ehm_watch";
     participant_options.partition = options.partition;
+    participant_options.security = options.security;
     participant_options.on_incompatible = [](const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
     wire::Participant participant(participant_options);
     Ears ears(participant, options);

@@ -1,6 +1,7 @@
 #pragma once
-// One accepted TCP connection for httplib, on which all reading and writing together ends at one absolute time. The
-// library's own limits hold for each read, so a client that sends a byte now and then would hold its thread for hours.
+// One accepted TCP connection for httplib, on which all reading ends at one absolute time, all writing at another, and
+// both at once when the server stops. The library's own limits hold for each read, so a client that sends a byte now
+// and then would hold its thread for hours.
 
 #include <httplib.h>
 #include <poll.h>
@@ -8,14 +9,18 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 
 namespace ehm::service {
 
 class DeadlineStream : public httplib::Stream {
  public:
-  DeadlineStream(int socket, std::chrono::milliseconds limit)
-      : socket_(socket), end_(std::chrono::steady_clock::now() + limit) {}
+  using Clock = std::chrono::steady_clock;
+
+  DeadlineStream(int socket, std::chrono::milliseconds read_limit, std::chrono::milliseconds write_limit,
+                 const std::atomic<bool>& stop)
+      : socket_(socket), write_limit_(write_limit), stop_(stop), end_(Clock::now() + read_limit) {}
 
   bool is_readable() const override { return begin_ < filled_ || await(POLLIN); }
   bool is_writable() const override { return await(POLLOUT); }
@@ -33,6 +38,8 @@ class DeadlineStream : public httplib::Stream {
     return static_cast<ssize_t>(count);
   }
   ssize_t write(const char* from, std::size_t size) override {
+    if (!answering_) end_ = Clock::now() + write_limit_;
+    answering_ = true;
     return await(POLLOUT) ? send(socket_, from, size, MSG_NOSIGNAL | MSG_DONTWAIT) : -1;
   }
   void get_remote_ip_and_port(std::string&, int&) const override {}
@@ -41,13 +48,18 @@ class DeadlineStream : public httplib::Stream {
 
  private:
   bool await(short what) const {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end_ - std::chrono::steady_clock::now());
+    constexpr int look_ms = 20;  // how soon a stop is seen
     pollfd ready{socket_, what, 0};
-    return left.count() > 0 && poll(&ready, 1, static_cast<int>(left.count())) == 1;
+    while (!stop_ && Clock::now() < end_)
+      if (poll(&ready, 1, look_ms) == 1) return true;
+    return false;
   }
 
   int socket_;
-  std::chrono::steady_clock::time_point end_;
+  std::chrono::milliseconds write_limit_;
+  const std::atomic<bool>& stop_;
+  Clock::time_point end_;
+  bool answering_ = false;
   std::array<char, 1024> buffer_{};
   std::size_t begin_ = 0, filled_ = 0;
 };

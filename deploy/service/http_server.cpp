@@ -23,8 +23,12 @@ class Inline : public httplib::TaskQueue {
 }  // namespace
 
 class HttpServer::Listener : public httplib::Server {
+ public:
+  std::atomic<bool> stopping{false};
+
+ private:
   bool process_and_close_socket(socket_t socket) override {
-    DeadlineStream stream(socket, connection_limit);
+    DeadlineStream stream(socket, ask_limit, answer_limit, stopping);
     bool closed = false;
     constexpr bool close_after_this = true;  // a connection that is kept alive would keep the others out
     const bool answered = process_request(stream, close_after_this, closed, nullptr);
@@ -53,6 +57,7 @@ HttpServer::HttpServer(const ListenAddress& address) : listener_(std::make_uniqu
 
 HttpServer::~HttpServer() {
   if (!thread_.joinable()) return;
+  listener_->stopping = true;
   listener_->stop();
   thread_.join();
 }

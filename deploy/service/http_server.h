@@ -1,7 +1,7 @@
 #pragma once
-// Answers GET requests on one thread of its own, one connection at a time, each within `connection_limit`: whatever
-// clients do (idle connections, requests a byte at a time, garbage), it costs one thread and one descriptor, and the
-// server stops within that limit. Who connects meanwhile waits in the kernel's queue.
+// Answers GET requests on one thread of its own, one connection at a time, each within `ask_limit` and `answer_limit`:
+// whatever clients do (idle connections, requests a byte at a time, garbage), it costs one thread and one descriptor,
+// and the server stops at once. Who connects meanwhile waits in the kernel's queue.
 //
 // @throws std::runtime_error if the address cannot be had; the message says why.
 
@@ -23,7 +23,8 @@ struct HttpAnswer {
 
 class HttpServer {
  public:
-  static constexpr std::chrono::milliseconds connection_limit{500};
+  static constexpr std::chrono::milliseconds ask_limit{500};      ///< until the request is complete
+  static constexpr std::chrono::milliseconds answer_limit{2000};  ///< a thousand engines make 6 MB
   using Handler = std::function<HttpAnswer()>;
 
   explicit HttpServer(const ListenAddress& address);

@@ -1,7 +1,6 @@
 #include "deploy/service/notify.h"
 
 #include <systemd/sd-daemon.h>
-#include <time.h>
 
 namespace ehm::service {
 
@@ -20,12 +19,6 @@ void notify_ready() {
 
 void notify_status(const std::string& text) {
   tell("STATUS=" + text);
-}
-
-void notify_reloading() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  tell("RELOADING=1\nMONOTONIC_USEC=" + std::to_string(now.tv_sec * 1'000'000LL + now.tv_nsec / 1000));
 }
 
 void notify_stopping() {

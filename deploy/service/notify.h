@@ -6,12 +6,10 @@
 
 namespace ehm::service {
 
-/// READY=1: everything that the service needs is there; also ends a reload.
+/// READY=1: everything that the service needs is there.
 void notify_ready();
 /// STATUS=...: one line that `systemctl status` shows.
 void notify_status(const std::string& text);
-/// RELOADING=1 with the time that Type=notify-reload asks for; call notify_ready when it is done.
-void notify_reloading();
 /// STOPPING=1: the stop has been asked for and is under way.
 void notify_stopping();
 

@@ -3,7 +3,13 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
+
+#include "idl/dds/security.h"
+#include "idl/dds/stranger_watch.h"
 
 namespace ehm::wire {
 
@@ -44,14 +50,7 @@ dds::DomainParticipantQos profile_from_file(const ParticipantOptions& options) {
 }  // namespace
 
 Participant::Participant(ParticipantOptions options) : options_(std::move(options)) {
-  auto* factory = dds::DomainParticipantFactory::get_instance();
-  const dds::DomainParticipantQos qos =
-      options_.profiles_file.empty() ? built_in_profile(options_) : profile_from_file(options_);
-  participant_ = factory->create_participant(options_.domain, qos);
-  if (!participant_)
-    throw DdsError("no DDS participant on domain " + std::to_string(options_.domain) +
-                   ": the domain must be 0 to 232, and its UDP ports free and permitted");
-
+  create();
   dds::PublisherQos publisher_qos;
   dds::SubscriberQos subscriber_qos;
   if (!options_.partition.empty()) {
@@ -62,6 +61,37 @@ Participant::Participant(ParticipantOptions options) : options_(std::move(option
   subscriber_ = participant_->create_subscriber(subscriber_qos);
   if (!publisher_ || !subscriber_)
     throw DdsError("no DDS publisher or subscriber in partition '" + options_.partition + "'");
+}
+
+void Participant::create() {
+  dds::DomainParticipantQos qos =
+      options_.profiles_file.empty() ? built_in_profile(options_) : profile_from_file(options_);
+  std::optional<MiddlewareErrors> errors;
+  if (!options_.security.empty()) {
+    auto properties = security_properties(options_.security);
+    std::move(properties.begin(), properties.end(), std::back_inserter(qos.properties().properties()));
+    errors.emplace();
+  }
+  if (options_.on_stranger) strangers_ = std::make_unique<StrangerWatch>(options_.on_stranger);
+  participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
+      options_.domain, qos, strangers_.get(), dds::StatusMask::none());
+  if (!participant_)
+    throw DdsError("no DDS participant on domain " + std::to_string(options_.domain) + ": " +
+                   (errors ? "the security files in '" + options_.security + "' are refused: " + errors->text()
+                           : "the domain must be 0 to 232, and its UDP ports free and permitted"));
+  errors.reset();
+  if (options_.on_middleware) hear_middleware(options_.on_middleware);
+}
+
+DdsError Participant::refused(const char* side, const char* topic) const {
+  std::string text = std::string("no DDS ") + side + " on topic '" + topic + "'";
+  if (!options_.security.empty())
+    text += ": the permissions in '" + options_.security + "' do not allow it on this domain and partition";
+  return DdsError(text);
+}
+
+void Participant::tell_overdue_strangers() {
+  if (strangers_) strangers_->tell_overdue(StrangerWatch::Clock::now());
 }
 
 Participant::~Participant() {

@@ -2,8 +2,8 @@
 // A DDS participant of this project and its endpoints, as owners: what is created is deleted, in the right order.
 //
 // The built-in profile is UDP on the loopback and network interfaces without shared memory (DESIGN.md, "DDS: what was
-// measured"): it re-matches in under 0.1 s after a crash and works between users. Another transport, discovery server
-// or security comes from a Fast DDS XML file.
+// measured"): it re-matches in under 0.1 s after a crash and works between users. Another transport or a discovery
+// server comes from a Fast DDS XML file. Security comes from a directory of certificates, for either profile.
 //
 // @throws DdsError naming the file, profile, topic or entity that could not be had.
 
@@ -19,18 +19,14 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
+#include "idl/dds/dds_error.h"
+#include "idl/dds/middleware_log.h"
 #include "idl/dds/qos.h"
 #include "idl/topics.h"
 
 namespace ehm::wire {
-
-class DdsError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// What readers of EngineSensors ask of their writers. 0 asks for nothing, so that any plain writer matches; a writer
 /// that does not offer what is asked for is excluded, and that is reported.
@@ -49,11 +45,18 @@ struct ParticipantOptions {
   std::string profiles_file;                ///< Fast DDS XML; empty: the built-in profile
   std::string profile = "ehm_participant";  ///< the participant profile to take from that file
   std::string partition;                    ///< "fleet/<group>"; empty is the default partition
+  std::string security;                     ///< directory of certificates and permissions (security.h); empty: none
   Redundancy redundancy;
   InputRequest input;
   /// Told, on a middleware thread, when an endpoint of ours and a remote one exclude each other by QoS.
   std::function<void(const std::string&)> on_incompatible;
+  /// Told, on a middleware thread, of each participant that could not prove who it is.
+  std::function<void(const std::string&)> on_stranger;
+  /// Told, on the middleware's logging thread, of its own warnings and errors, which else go to standard error.
+  std::function<void(const MiddlewareMessage&)> on_middleware;
 };
+
+class StrangerWatch;
 
 class Participant {
  public:
@@ -68,10 +71,17 @@ class Participant {
   eprosima::fastdds::dds::Topic* topic(const char* name, eprosima::fastdds::dds::TypeSupport type);
   eprosima::fastdds::dds::Publisher* publisher() { return publisher_; }
   eprosima::fastdds::dds::Subscriber* subscriber() { return subscriber_; }
+  /// The error for an endpoint that the middleware did not make.
+  DdsError refused(const char* side, const char* topic) const;
+  /// Call it about once a second where on_stranger is given.
+  void tell_overdue_strangers();
   void report_incompatible(const std::string& topic, const char* side, std::uint32_t policy) const;
 
  private:
+  void create();
+
   ParticipantOptions options_;
+  std::unique_ptr<StrangerWatch> strangers_;
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;

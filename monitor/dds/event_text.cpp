@@ -118,6 +118,9 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
             "another writer also sends samples of this engine as source {:.0f}; the first is listened to", e.value);
       return fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value,
                          e.threshold);
+    case wire::EventKind::recording:
+      return e.raised ? fmt::format("the recording is incomplete: {:.0f} rows are lost so far", e.value)
+                      : "the recording loses no rows any more";
     case wire::EventKind::ambiguous_fault:
       return e.raised ? fmt::format("something changed abruptly, and sensor or component cannot be told (likeliest {})",
                                     c->name)
@@ -131,7 +134,6 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return checkpoint_text(e);
     case wire::EventKind::configuration:
     case wire::EventKind::incompatible_qos:
-    case wire::EventKind::recording:
     case wire::EventKind::security:
       break;  // their messages are made where they happen, off the cycle
   }

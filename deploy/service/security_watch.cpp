@@ -1,0 +1,107 @@
+#include "deploy/service/security_watch.h"
+
+#include <spdlog/spdlog.h>
+
+#include "idl/dds/middleware_log.h"
+
+namespace ehm::service {
+
+using std::chrono::steady_clock;
+
+void IncidentBox::put(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  if (const auto known = waiting_.find(text); known != waiting_.end())
+    ++known->second;
+  else if (waiting_.size() < texts)
+    waiting_.emplace(text, 1);
+  else
+    ++dropped_;
+}
+
+std::map<std::string, std::uint64_t> IncidentBox::take(std::uint64_t& dropped) {
+  const std::lock_guard lock(mutex_);
+  dropped += std::exchange(dropped_, 0);
+  return std::exchange(waiting_, {});
+}
+
+namespace {
+
+/// "topic not found in allow rule. (./src/cpp/...:1247)": the middleware's source lines tell an operator nothing.
+std::string without_source_line(std::string text) {
+  if (const auto begin = text.find(" (./src"); begin != std::string::npos)
+    if (const auto end = text.find(')', begin); end != std::string::npos) text.erase(begin, end + 1 - begin);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+/// Refusals come as errors; while keys are exchanged, messages that cannot be read yet come as warnings.
+void sort(IncidentBox& box, const wire::MiddlewareMessage& message) {
+  const bool security = message.category.starts_with("SECURITY");
+  if (security && message.error)
+    box.put("refused by the security rules: " + without_source_line(message.text));
+  else if (message.error && !security)
+    spdlog::debug("middleware {}: {}", message.category, message.text);
+}
+
+}  // namespace
+
+std::shared_ptr<IncidentBox> hear_incidents(wire::ParticipantOptions& options) {
+  auto box = std::make_shared<IncidentBox>();
+  if (options.security.empty()) return box;
+  options.on_stranger = [box](const std::string& text) { box->put(text); };
+  options.on_middleware = [box](const wire::MiddlewareMessage& message) { sort(*box, message); };
+  return box;
+}
+
+std::string incident_text(const std::string& text, std::uint64_t times) {
+  return "security: " + text + (times > 1 ? " (" + std::to_string(times) + " times)" : "");
+}
+
+SecurityWatch::SecurityWatch(wire::Participant& participant, std::shared_ptr<IncidentBox> box, Say say)
+    : participant_(participant),
+      box_(std::move(box)),
+      say_(std::move(say)),
+      minute_(steady_clock::now()),
+      thread_([this] { run(); }) {}
+
+SecurityWatch::~SecurityWatch() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void SecurityWatch::run() {
+  for (bool last = false; !last;) {
+    {
+      std::unique_lock lock(mutex_);
+      last = wake_.wait_for(lock, std::chrono::milliseconds(200), [this] { return stop_; });
+    }
+    turn();
+  }
+}
+
+void SecurityWatch::turn() {
+  participant_.tell_overdue_strangers();
+  if (steady_clock::now() - minute_ >= std::chrono::minutes(1)) {
+    minute_ = steady_clock::now();
+    for (const auto& [text, times] : std::exchange(pending_, {}))
+      if (times > 0) say_(text, times);
+    if (const auto dropped = std::exchange(dropped_, 0); dropped > 0)
+      say_("further incidents, too many to name", dropped);
+  }
+  for (const auto& [text, times] : box_->take(dropped_)) {
+    if (const auto known = pending_.find(text); known != pending_.end()) {
+      known->second += times;
+    } else if (pending_.size() < texts_a_minute) {
+      say_(text, times);
+      pending_.emplace(text, 0);
+    } else {
+      dropped_ += times;
+    }
+  }
+}
+
+}  // namespace ehm::service

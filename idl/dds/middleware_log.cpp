@@ -1,0 +1,56 @@
+#include "idl/dds/middleware_log.h"
+
+#include <fastdds/dds/log/Log.hpp>
+
+#include <mutex>
+#include <utility>
+
+namespace ehm::wire {
+
+namespace dds = eprosima::fastdds::dds;
+
+namespace {
+
+class Consumer : public dds::LogConsumer {
+ public:
+  explicit Consumer(std::function<void(const MiddlewareMessage&)> hear) : hear_(std::move(hear)) {}
+  void Consume(const dds::Log::Entry& entry) override {
+    hear_({entry.kind == dds::Log::Kind::Error, entry.context.category ? entry.context.category : "", entry.message});
+  }
+
+ private:
+  std::function<void(const MiddlewareMessage&)> hear_;
+};
+
+}  // namespace
+
+void hear_middleware(std::function<void(const MiddlewareMessage&)> hear) {
+  dds::Log::ClearConsumers();
+  dds::Log::RegisterConsumer(std::make_unique<Consumer>(std::move(hear)));
+  dds::Log::SetVerbosity(dds::Log::Kind::Warning);
+}
+
+struct MiddlewareErrors::Collected {
+  std::mutex mutex;
+  std::string text;
+};
+
+MiddlewareErrors::MiddlewareErrors() : collected_(std::make_shared<Collected>()) {
+  hear_middleware([collected = collected_](const MiddlewareMessage& message) {
+    if (!message.error) return;
+    const std::lock_guard lock(collected->mutex);
+    collected->text += (collected->text.empty() ? "" : "; ") + message.text;
+  });
+}
+
+MiddlewareErrors::~MiddlewareErrors() {
+  dds::Log::Reset();
+}
+
+std::string MiddlewareErrors::text() const {
+  dds::Log::Flush();
+  const std::lock_guard lock(collected_->mutex);
+  return collected_->text;
+}
+
+}  // namespace ehm::wire

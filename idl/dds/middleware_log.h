@@ -1,0 +1,34 @@
+#pragma once
+// What Fast DDS itself logs, handed to us instead of its standard error. Its logging is one a process.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace ehm::wire {
+
+struct MiddlewareMessage {
+  bool error = false;    ///< else a warning
+  std::string category;  ///< such as SECURITY, SECURITY_AUTHENTICATION, RTPS_PARTICIPANT
+  std::string text;
+};
+
+/// From now on `hear` is told of every warning and error, on the middleware's logging thread.
+void hear_middleware(std::function<void(const MiddlewareMessage&)> hear);
+
+/// Collects the middleware's errors while it lives; its end gives the middleware its own logging back.
+class MiddlewareErrors {
+ public:
+  MiddlewareErrors();
+  ~MiddlewareErrors();
+  MiddlewareErrors(const MiddlewareErrors&) = delete;
+  MiddlewareErrors& operator=(const MiddlewareErrors&) = delete;
+  /// All errors so far in one line.
+  std::string text() const;
+
+ private:
+  struct Collected;
+  std::shared_ptr<Collected> collected_;
+};
+
+}  // namespace ehm::wire

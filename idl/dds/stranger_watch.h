@@ -1,0 +1,49 @@
+#pragma once
+// Knows which participants of a secured domain have proven who they are, and tells of those that have not.
+//
+// The middleware reports a failed proof by GUID only, and nothing at all where it is the stranger who breaks off the
+// handshake. So name and address are kept from the announcement, and who has proven nothing within `patience` is told
+// of too. At most `capacity` participants are remembered: a flood of announcements cannot make us grow.
+
+#include <array>
+#include <chrono>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <functional>
+#include <mutex>
+#include <string>
+
+namespace ehm::wire {
+
+class StrangerWatch : public eprosima::fastdds::dds::DomainParticipantListener {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Say = std::function<void(const std::string&)>;
+  static constexpr std::chrono::seconds patience{5};  ///< a handshake takes well under a second
+  static constexpr std::size_t capacity = 64;
+
+  explicit StrangerWatch(Say say) : say_(std::move(say)) {}
+  /// Tells of those whose time is over at `now`; call it about once a second.
+  void tell_overdue(Clock::time_point now);
+
+ private:
+  enum class State { empty, pending, settled };
+  struct Seen {
+    State state = State::empty;
+    eprosima::fastrtps::rtps::GUID_t guid;
+    std::string description;
+    Clock::time_point since;
+  };
+  void on_participant_discovery(eprosima::fastdds::dds::DomainParticipant*,
+                                eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
+  void onParticipantAuthentication(eprosima::fastdds::dds::DomainParticipant*,
+                                   eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
+  /// Takes it off the pending ones; its description, or its GUID if it is forgotten.
+  std::string settle(const eprosima::fastrtps::rtps::GUID_t& guid);
+
+  Say say_;
+  std::mutex mutex_;
+  std::array<Seen, capacity> seen_;  // a ring: the oldest is forgotten
+  std::size_t next_ = 0;
+};
+
+}  // namespace ehm::wire

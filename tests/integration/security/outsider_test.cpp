@@ -1,0 +1,109 @@
+// Nobody joins a secured domain without an identity of its authority, and the service says who tried.
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <thread>
+
+#include "idl/dds/security.h"
+#include "tests/integration/security/secured_pair.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::test;
+
+/// Everything that an outsider would want: to feed, to command, to listen.
+struct Outsider {
+  explicit Outsider(const wire::ParticipantOptions& options)
+      : participant(options), sensors(participant), commands(participant), health(participant), status(participant) {}
+  void try_everything() {
+    EngineSensors sample;
+    sample.engine_id(2);
+    sample.schema(wire::schema_version);
+    sample.source_id(66);
+    sensors.write(sample);
+    MonitorCommand reset;
+    reset.schema(wire::schema_version);
+    reset.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+    commands.write(reset);
+  }
+  bool heard_nothing() {
+    EngineHealth h;
+    MonitorStatus s;
+    return !health.take(h) && !status.take(s);
+  }
+  wire::Participant participant;
+  wire::Writer<EngineSensors> sensors;
+  wire::Writer<MonitorCommand> commands;
+  wire::Reader<EngineHealth> health;
+  wire::Reader<MonitorStatus> status;
+};
+
+class OutsiderTest : public SecuredPair {
+ protected:
+  void expect_kept_out(const wire::ParticipantOptions& who) {
+    Outsider outsider(who);
+    expect_kept_out(outsider, who.name);
+  }
+  /// It says what it wants while the monitor has time to notice; then nothing of it was heard, and it heard nothing.
+  void expect_kept_out(Outsider& outsider, const std::string& name) {
+    EXPECT_TRUE(viewer_->await([&] {
+      outsider.try_everything();
+      return !viewer_->security_event("'" + name + "'").empty();
+    })) << monitor_->log();
+    EXPECT_THAT(monitor_->log(), testing::HasSubstr("security: participant '" + name + "'"));
+    EXPECT_TRUE(goes_on());
+    EXPECT_EQ(outsider.sensors.matched() + outsider.commands.matched(), 0);
+    EXPECT_EQ(outsider.health.matched() + outsider.status.matched(), 0);
+    EXPECT_TRUE(outsider.heard_nothing());
+    EXPECT_EQ(viewer_->estimates(2), 0u);
+    EXPECT_EQ(viewer_->status.back().unknown_engine_samples(), 0u);
+    EXPECT_EQ(viewer_->status.back().filter_restarts(), 0u) << "the reset was obeyed";
+  }
+};
+
+TEST_F(OutsiderTest, TheAuthorisedPairWorksAndNobodyIsReported) {
+  start_all();
+  EXPECT_TRUE(goes_on(200));
+  EXPECT_EQ(viewer_->security_event(""), "");
+  EXPECT_EQ(monitor_->log().find("security:"), std::string::npos);
+  EXPECT_EQ(viewer_->status.back().samples_lost(), 0u);
+  monitor_->signal(SIGTERM);
+  EXPECT_EQ(monitor_->wait(seconds(10)), 0);
+}
+
+TEST_F(OutsiderTest, WithoutAnyIdentity) {
+  start_all();
+  expect_kept_out(options("stranger", ""));
+}
+
+TEST_F(OutsiderTest, WithAnIdentityOfAnotherAuthority) {
+  start_all();
+  expect_kept_out(options("impostor", identity_of_another_authority("sensor_source")));
+}
+
+TEST_F(OutsiderTest, WithAnExpiredCertificate) {
+  const std::string name = "short-" + std::to_string(getpid());
+  make_identity({"--role", "sensor_source", "--name", name, "--valid-for", "4s"});
+  // Valid when it joins, which is when its own DDS looks; expired when the monitor comes and looks.
+  Outsider outsider(options("expired", identity(name)));
+  while (wire::certificate_days_left(identity(name)) > 0.0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  start_all();
+  expect_kept_out(outsider, "expired");
+  EXPECT_THROW(wire::Participant(options("late", identity(name))), wire::DdsError);
+}
+
+TEST_F(OutsiderTest, WithARevokedCertificate) {
+  const std::string name = "stolen-" + std::to_string(getpid());
+  make_identity({"--role", "sensor_source", "--name", name});
+  make_identity({"--revoke", name});
+  start_all();
+  // The thief's copy has no revocation list, so it joins in good faith.
+  const std::string list = identity(name) + "/identity_crl.pem";
+  ASSERT_EQ(unlink(list.c_str()), 0);
+  expect_kept_out(options("thief", identity(name)));
+}
+
+}  // namespace

@@ -1,0 +1,129 @@
+// Who has an identity may do what its role allows, and nothing else. This program's own DDS does not ask for permission
+// (hostile_stack.cpp), so what is refused here is refused by the services.
+
+#include <gmock/gmock.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "tests/integration/security/secured_pair.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::test;
+
+class PermissionTest : public SecuredPair {};
+
+EngineSensors sensors_of(std::uint32_t engine_id) {
+  EngineSensors sample;
+  sample.engine_id(engine_id);
+  sample.schema(wire::schema_version);
+  sample.source_id(66);
+  sample.sensor_count(7);
+  sample.actuator_count(3);
+  return sample;
+}
+
+MonitorCommand reset_all() {
+  MonitorCommand command;
+  command.schema(wire::schema_version);
+  command.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+  return command;
+}
+
+TEST_F(PermissionTest, AnHonestStackSaysAtOnceWhatIsNotAllowed) {
+  Process source({EHM_ENGINE_SIM, "--dds-domain", std::to_string(domain_), "--dds-security", identity("viewer")});
+  EXPECT_EQ(source.wait(seconds(20)), 1);
+  EXPECT_THAT(source.log(), testing::HasSubstr("no DDS writer on topic 'EngineSensors': the permissions in"));
+}
+
+TEST_F(PermissionTest, NobodyRunsOnWithoutTheFilesThatWereAskedFor) {
+  const std::string domain = std::to_string(domain_);
+  Process source({EHM_ENGINE_SIM, "--dds-domain", domain, "--dds-security", "/nowhere"});
+  EXPECT_EQ(source.wait(seconds(20)), 2);
+  EXPECT_THAT(source.log(), testing::HasSubstr("security file '/nowhere/identity_ca.pem' does not exist"));
+  // The key of one identity beside the certificate of another.
+  const std::string mixed = testing::TempDir() + "ehm-mixed-" + std::to_string(getpid());
+  std::filesystem::copy(identity("monitor"), mixed);
+  std::filesystem::copy_file(identity("viewer") + "/key.pem", mixed + "/key.pem",
+                             std::filesystem::copy_options::overwrite_existing);
+  Process monitor({EHM_MONITOR, "--dds-domain", domain, "--dds-security", mixed, "--monitor-design", EHM_DESIGN_FILE});
+  EXPECT_EQ(monitor.wait(seconds(20)), 1);
+  EXPECT_THAT(monitor.log(), testing::HasSubstr("the security files in '" + mixed + "' are refused"));
+  std::filesystem::remove_all(mixed);
+}
+
+TEST_F(PermissionTest, AViewerMayNotPublishSensors) {
+  start_all();
+  wire::Participant participant(options("viewer that lies", identity("viewer")));
+  wire::Writer<EngineSensors> writer(participant);
+  EXPECT_TRUE(viewer_->await([&] {
+    writer.write(sensors_of(2));
+    return !viewer_->security_event("EngineSensors topic not found in allow rule").empty();
+  })) << monitor_->log();
+  EXPECT_TRUE(goes_on());
+  EXPECT_EQ(viewer_->status.back().unknown_engine_samples() + viewer_->status.back().samples_foreign(), 0u);
+  EXPECT_EQ(viewer_->estimates(2), 0u);
+  for (const auto& status : viewer_->status) EXPECT_EQ(status.engine_id(), 1u) << "an engine that only the liar flies";
+}
+
+TEST_F(PermissionTest, AViewerMayNotCommandAndAnOperatorMay) {
+  start_all();
+  const auto restarts = [&] { return viewer_->status.back().filter_restarts(); };
+  {
+    wire::Participant participant(options("viewer that commands", identity("viewer")));
+    wire::Writer<MonitorCommand> writer(participant);
+    wire::Writer<SimCommand> sim_writer(participant);
+    EXPECT_TRUE(viewer_->await([&] {
+      writer.write(reset_all());
+      return !viewer_->security_event("MonitorCommand topic not found in allow rule").empty();
+    })) << monitor_->log();
+    EXPECT_TRUE(viewer_->await([&] {
+      return simulator_->log().find("SimCommand topic not found in allow rule") != std::string::npos;
+    })) << simulator_->log();
+    EXPECT_TRUE(goes_on());
+    EXPECT_EQ(restarts(), 0u);
+  }
+  wire::Participant participant(options("operator", identity("operator")));
+  wire::Writer<MonitorCommand> writer(participant);
+  EXPECT_TRUE(viewer_->await([&] { return writer.matched() == 1; }));
+  // Matched here is not yet matched there, so the order is repeated until it is obeyed.
+  EXPECT_TRUE(viewer_->await([&] {
+    writer.write(reset_all());
+    return restarts() > 0;
+  })) << "the operator's reset must be obeyed, or this test could not have seen the viewer's";
+}
+
+TEST_F(PermissionTest, ASensorSourceMayNotPublishEstimates) {
+  start_all();
+  wire::Participant participant(options("source that estimates", identity("sensor_source")));
+  wire::Writer<EngineHealth> writer(participant);
+  EngineHealth estimate;
+  estimate.engine_id(3);
+  estimate.schema(wire::schema_version);
+  // The viewer of this test refuses it in the same breath in which it learns of the writer.
+  wire::Writer<EngineSensors> allowed(participant);
+  EXPECT_TRUE(viewer_->await([&] { return allowed.matched() == 1; }));
+  const std::size_t before = viewer_->estimates(1);
+  EXPECT_TRUE(viewer_->await([&] {
+    writer.write(estimate);
+    return viewer_->estimates(1) >= before + 200;
+  }));
+  EXPECT_EQ(viewer_->estimates(3), 0u);
+}
+
+TEST_F(PermissionTest, AViewerCannotReadSensors) {
+  start_all();
+  wire::Participant participant(options("viewer that listens", identity("viewer")));
+  wire::Reader<EngineSensors> reader(participant);
+  EXPECT_TRUE(viewer_->await([&] {
+    return simulator_->log().find("EngineSensors topic not found in allow rule") != std::string::npos;
+  })) << simulator_->log();
+  EXPECT_TRUE(goes_on());
+  EngineSensors sample;
+  EXPECT_FALSE(reader.take(sample));
+}
+
+}  // namespace
