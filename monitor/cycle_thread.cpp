@@ -13,6 +13,8 @@ using wire::StatusLevel;
 
 namespace {
 constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
+constexpr double leaving_wait_s = 0.002;  // while the pause between two samples is looked for
+constexpr std::int64_t longest_release_ns = 100'000'000;
 // The engines are looked through so often, not at each sample: with N engines that would be N^2 looks a sample time.
 constexpr std::int64_t watch_period_ns = 5'000'000;
 constexpr int most_samples_a_turn = 1024;  // so that an overload starves neither commands nor the watch
@@ -25,7 +27,7 @@ constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that mus
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
-                         ReportQueue& reports, CheckpointKeeper* checkpoints)
+                         ReportQueue& reports, CheckpointKeeper* checkpoints, RecordFeed* records)
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
@@ -33,19 +35,24 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
       engines_(engines),
       reports_(reports),
       checkpoints_(checkpoints),
+      records_(records),
       sensors_(participant),
       commands_(participant),
       health_(participant),
       auxiliary_(participant),
-      residuals_(participant) {
+      residuals_(participant),
+      redundancy_(participant.options().redundancy) {
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(commands_.condition());
   triggered_.reserve(2);
+  if (redundancy_.exclusive)
+    peers_ = std::make_unique<PeerWatch>(participant, source_id_, [this] { return become_incumbent(); });
 }
 
 void CycleThread::run_once() {
+  const double wait_s = leaving_ ? leaving_wait_s : longest_wait_s;
   // The condition does not trigger again for samples that were left behind.
-  if (!backlog_) wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(longest_wait_s)));
+  if (!backlog_) wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(wait_s)));
   arrival_.wake_up();
   take_samples();
   MonitorCommand command;
@@ -79,11 +86,13 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
   slot->sample.writer = sensors_.writer();
   const std::uint64_t malformed = slot->cycle.counters().malformed;
   if (slot->cycle.counters().received == 0) first_sample(*slot);
-  if (slot->cycle.process(slot->sample)) {
+  const bool accepted = slot->cycle.process(slot->sample);
+  if (accepted) {
     slot->received_ns = arrival_ns;
     slot->last_sequence = slot->sample.sequence;
     publish(*slot, slot->cycle.result(), arrival_ns);
   }
+  if (records_) records_->sample(*slot, accepted);
   report_events(*slot);
   if (slot->cycle.counters().malformed != malformed) report_malformed(*slot);
 }
@@ -91,10 +100,14 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
 void CycleThread::first_sample(EngineSlot& slot) {
   reports_.push({Report::Kind::new_engine, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
   if (!checkpoints_) return;
-  if (const auto event = checkpoints_->resume(slot)) report_event(slot, *event);
+  if (const auto event = checkpoints_->resume(slot)) {
+    report_event(slot, *event);
+    if (records_ && !event->raised) records_->marker(slot, recording::RowKind::resumed);
+  }
 }
 
 void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
+  if (slot.released) return;
   const Stamp stamp{slot.engine_id, source_id_, slot.sample.sequence, slot.sample.source_time_ns, wall_clock_ns()};
   if (result.estimates) {
     convert(slot.cycle, result, stamp, health_sample_);
@@ -115,6 +128,7 @@ void CycleThread::obey(const MonitorCommand& command) {
   engines_.for_each([&](EngineSlot& slot) {
     if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
     slot.cycle.reset();
+    if (records_) records_->marker(slot, recording::RowKind::reset);
     report_events(slot);
   });
 }
@@ -125,7 +139,7 @@ void CycleThread::watch_input(std::int64_t now_ns) {
     const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
     const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
     if (!source_clock_ || age_s > source_silence_s) {
-      slot.cycle.no_input(age_s);
+      if (slot.cycle.no_input(age_s) && records_) records_->input_lost(slot, now_ns - last_ns);
       report_events(slot);
     }
     const StatusLevel level = level_of(slot);
@@ -164,6 +178,7 @@ void CycleThread::report_malformed(EngineSlot& slot) {
 
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
   if (!reports_.has_room()) return;  // tried again at the next turn
+  if (records_) judge_recording(slot);
   Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
   report.status = make_status(slot, level, now_ns, start_ns_);
   report.estimates = estimates_of(slot.cycle);
@@ -171,6 +186,7 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   report.status.status_time_ns(wall_clock_ns());
   report.status.unknown_engine_samples(unknown_engine_samples_);
   report.status.reports_lost(reports_.overflow());
+  report.status.records_lost(records_ ? records_->lost() : 0);
   if (checkpoints_) {
     report.status.checkpoints_written(checkpoints_->writer().written());
     report.status.checkpoints_failed(checkpoints_->writer().failed());
@@ -182,7 +198,58 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   slot.status_counters = slot.cycle.counters();
 }
 
-void CycleThread::say_stopped() {
+void CycleThread::judge_recording(EngineSlot& slot) {
+  const std::uint64_t lost = records_->lost();
+  EventList changes;
+  slot.losing_records.set(lost != slot.status_records_lost,
+                          {wire::EventKind::recording, 0, false, static_cast<double>(lost), 0.0, 0}, changes);
+  slot.status_records_lost = lost;
+  for (const Event& event : changes) report_event(slot, event);
+}
+
+bool CycleThread::become_incumbent() {
+  const std::uint32_t strength = redundancy_.strength + incumbent_bonus;
+  return health_.set_strength(strength) && auxiliary_.set_strength(strength) && residuals_.set_strength(strength);
+}
+
+/// In the middle of the pause between two samples, when every monitor has written its estimate of the last one; or the
+/// engine has fallen silent.
+bool CycleThread::between_samples(const EngineSlot& slot, std::int64_t now_ns) {
+  const double samples =
+      1e-9 * static_cast<double>(now_ns - slot.received_ns) / slot.cycle.design().model.sample_time_s;
+  return (samples > 0.3 && samples < 0.7) || samples > 2.0;
+}
+
+void CycleThread::release(EngineSlot& slot) {
+  health_sample_.engine_id(slot.engine_id);
+  auxiliary_sample_.engine_id(slot.engine_id);
+  residuals_sample_.engine_id(slot.engine_id);
+  health_.release(health_sample_);
+  auxiliary_.release(auxiliary_sample_);
+  residuals_.release(residuals_sample_);
+  slot.released = true;
+}
+
+void CycleThread::release_all() {
+  const std::int64_t limit_ns = monotonic_ns() + longest_release_ns;
+  leaving_ = true;
+  // A standby is heard from the sample after the release on: without a gap if that falls between two samples.
+  for (bool some_left = true; some_left;) {
+    some_left = false;
+    const std::int64_t now_ns = monotonic_ns();
+    engines_.for_each([&](EngineSlot& slot) {
+      if (slot.released) return;
+      if (!peers_ || now_ns > limit_ns || between_samples(slot, now_ns))
+        release(slot);
+      else
+        some_left = true;
+    });
+    if (some_left) run_once();
+  }
+}
+
+void CycleThread::stop() {
+  release_all();
   engines_.for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
   const std::int64_t limit_ns = monotonic_ns() + last_checkpoints_ns;
   if (checkpoints_) engines_.for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });

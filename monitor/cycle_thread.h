@@ -11,20 +11,22 @@
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/engine_table.h"
 #include "monitor/realtime/arrival_clock.h"
+#include "monitor/record/record_feed.h"
+#include "monitor/redundancy/peer_watch.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
 
 class CycleThread {
  public:
-  /// `checkpoints` may be null: none are kept then.
+  /// `checkpoints` and `records` may be null: none are kept then.
   CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
-              CheckpointKeeper* checkpoints);
+              CheckpointKeeper* checkpoints, RecordFeed* records);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
-  /// Tells every engine's subscribers that this monitor stops in order, and keeps a last checkpoint of each.
-  void say_stopped();
+  /// Ends in order: leaves every engine between two of its samples, tells its subscribers, keeps a last checkpoint.
+  void stop();
   /// Grows with every turn and every sample, at least 60 times a second.
   const service::TurnCounter& turns() const { return turns_; }
 
@@ -34,7 +36,12 @@ class CycleThread {
   void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
   void obey(const MonitorCommand& command);
   void watch_input(std::int64_t now_ns);
+  void judge_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
+  bool become_incumbent();
+  void release(EngineSlot& slot);
+  void release_all();
+  static bool between_samples(const EngineSlot& slot, std::int64_t now_ns);
   void report_event(const EngineSlot& slot, const Event& event);
   void report_events(EngineSlot& slot);
   void report_malformed(EngineSlot& slot);
@@ -47,6 +54,7 @@ class CycleThread {
   EngineTable& engines_;
   ReportQueue& reports_;
   CheckpointKeeper* checkpoints_;
+  RecordFeed* records_;
   std::uint64_t unknown_engine_samples_ = 0;
   ArrivalClock arrival_;
   bool backlog_ = false;  ///< the last turn left samples
@@ -58,6 +66,7 @@ class CycleThread {
   wire::Writer<EngineHealth> health_;
   wire::Writer<EngineAuxiliary> auxiliary_;
   wire::Writer<EngineResiduals> residuals_;
+  bool leaving_ = false;  ///< engines are to be released
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 
@@ -65,6 +74,8 @@ class CycleThread {
   EngineHealth health_sample_;
   EngineAuxiliary auxiliary_sample_;
   EngineResiduals residuals_sample_;
+  wire::Redundancy redundancy_;
+  std::unique_ptr<PeerWatch> peers_;  ///< null unless ownership is exclusive
 };
 
 }  // namespace ehm::monitor

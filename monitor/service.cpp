@@ -11,6 +11,7 @@
 #include "monitor/cycle_thread.h"
 #include "monitor/export/metrics_endpoint.h"
 #include "monitor/realtime/clock.h"
+#include "monitor/record/recorder.h"
 #include "monitor/reporter.h"
 
 namespace ehm::monitor {
@@ -64,6 +65,8 @@ struct Checkpoints {
 
 void run_service(const MonitorConfig& config, EngineTable& engines) {
   const service::StopSignal stop;
+  std::optional<Recorder> recorder;
+  if (!config.record.file.empty()) recorder.emplace(config, engines);
   NoticeBoard notices;
   InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
   auto options = watched_participant(config, notices, input);
@@ -83,7 +86,8 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
     });
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
-  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr);
+  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr,
+                    recorder ? &recorder->feed() : nullptr);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
@@ -92,7 +96,7 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   service::notify_ready();
   while (!stop.requested()) cycle.run_once();
   service::notify_stopping();
-  cycle.say_stopped();
+  cycle.stop();
   spdlog::info("stopped in order");
 }
 

@@ -32,6 +32,7 @@ if [ "$full" = yes ]; then
   export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp history_size=7"
   sanitized tsan thread -R 'SpscQueue|FlightTest|BadSamplesTest'
   EHM_BUILD_DIR=$build deploy/demo.sh --seconds 30
+  EHM_BUILD_DIR=$build tests/fuzz/fuzz.sh --jobs 2
   export EHM_CONTROL_SEQUENCES=1000
 fi
 
