@@ -186,4 +186,17 @@ TEST_F(StandbyTest, AnOrderedStopHandsOverWithoutAGap) {
   EXPECT_EQ(doubles(), 0u);
 }
 
+TEST_F(StandbyTest, AMonitorThatWasHeldUpYields) {
+  start_both();
+  Member& held = heard();
+  held.process->signal(SIGSTOP);
+  ASSERT_TRUE(await_source(other(held).source_id));
+  const std::size_t from = seen_.size();
+  held.process->signal(SIGCONT);  // finds the samples of its pause waiting
+  ASSERT_TRUE(await([&] { return seen_.size() > from + 150; }));
+  for (std::size_t i = from; i < seen_.size(); ++i)
+    ASSERT_EQ(seen_[i].health.source_id(), other(held).source_id) << "sample " << i - from << " after it went on";
+  EXPECT_EQ(doubles(), 0u);
+}
+
 }  // namespace
