@@ -20,7 +20,7 @@ class StopTest : public PairTest {
     monitor.signal(SIGTERM);
     const auto code = monitor.wait(seconds(5));
     const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    std::printf("stop, %s: %.2f s (asked 1)\\n", what, took_s);
+    std::printf("stop, %s: %.2f s (asked 1)\n", what, took_s);
     EXPECT_LT(took_s, 2.0) << what;  // a busy machine's margin on 1 s
     return code;
   }
