@@ -10,15 +10,45 @@
 
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
+#include "deploy/files/file_error.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
 #include "engine_sim/commands.h"
+#include "engine_sim/replay/replay.h"
 #include "engine_sim/run.h"
 #include "engine_sim/scenario/scenario_file.h"
 #include "idl/dds/security.h"
 
+namespace {
+
+using namespace ehm;
+
+/// A recording instead of a flight: the same exit codes.
+int replay(const engine::SimConfig& config, bool check_only) {
+  try {
+    const auto rows = recording::open_rows(config.replay.file, config.replay.column_map);
+    if (check_only) {
+      std::cout << "configuration is valid; " << config.replay.file << " can be replayed\n";
+      return service::exit_ok;
+    }
+    const service::StopSignal stop;
+    engine::run_replay(config, *rows, stop);
+    return service::exit_ok;
+  } catch (const files::FileError& e) {
+    std::cerr << "engine_sim: " << e.what() << '\n';
+    return service::exit_usage;
+  } catch (const config::ConfigError& e) {
+    std::cerr << "engine_sim: " << e.what() << '\n';
+    return service::exit_usage;
+  } catch (const std::exception& e) {
+    std::cerr << "engine_sim: " << e.what() << '\n';
+    return service::exit_failed;
+  }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace ehm;
   if (const auto code = engine::run_command(argc, argv, std::cout, std::cerr)) return *code;
   spdlog::set_default_logger(spdlog::stderr_color_mt("engine_sim"));
 
@@ -45,6 +75,7 @@ int main(int argc, char** argv) {
     return service::exit_usage;
   }
 
+  if (!config.replay.file.empty()) return replay(config, line.check_config);
   std::optional<engine::Simulation> simulation;
   try {
     simulation.emplace(config.scenario);

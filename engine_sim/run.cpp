@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <thread>
 
 #include "deploy/service/notify.h"
-#include "deploy/service/security_watch.h"
 #include "deploy/service/watchdog.h"
 #include "engine_sim/dds/command_reader.h"
 #include "engine_sim/dds/lockstep.h"
 #include "engine_sim/dds/sim_publisher.h"
+#include "engine_sim/dds/wait_for_readers.h"
+#include "engine_sim/dds/watched_participant.h"
 #include "engine_sim/pacer.h"
 
 namespace ehm::engine {
@@ -21,23 +21,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds match_poll{10};
 constexpr milliseconds answer_limit{10'000};
-// Matching is not symmetric: a reader that we know may learn of us an announcement later. Samples sent in between
-// arrive, but late.
-constexpr milliseconds match_settling{300};
-
-wire::ParticipantOptions participant_options(const SimConfig& config) {
-  wire::ParticipantOptions options;
-  options.domain = static_cast<std::uint32_t>(config.domain);
-  options.name = "engine_sim " + std::to_string(config.scenario.engine_id);
-  options.profiles_file = config.profiles_file;
-  options.profile = config.profile;
-  options.partition = config.partition;
-  options.security = config.security;
-  options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
-  return options;
-}
 
 std::int64_t wall_clock_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
@@ -64,13 +48,11 @@ class SourceClock {
 void wait_for_monitors(const SimPublisher& publisher, const std::optional<Lockstep>& lockstep, std::int64_t wanted,
                        const service::StopSignal& stop, service::TurnCounter& turns) {
   if (lockstep) wanted = std::max<std::int64_t>(wanted, 1);
-  const auto ready = [&] { return publisher.monitors() >= wanted && (!lockstep || lockstep->monitors() > 0); };
-  if (!ready()) spdlog::info("waiting for {} reader(s) of EngineSensors", wanted);
-  while (!ready() && !stop.requested()) {
-    std::this_thread::sleep_for(match_poll);
+  const auto ready = [&] {
     turns.turned();
-  }
-  if (wanted > 0 && !stop.requested()) std::this_thread::sleep_for(match_settling);
+    return publisher.monitors() >= wanted && (!lockstep || lockstep->monitors() > 0);
+  };
+  wait_for_readers(wanted, ready, stop);
 }
 
 }  // namespace
@@ -80,13 +62,7 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   const double rate = config.rate_factor();
   const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
 
-  auto options = participant_options(config);
-  auto incidents = service::hear_incidents(options);
-  wire::Participant participant(std::move(options));
-  std::optional<service::SecurityWatch> security;
-  if (!config.security.empty())
-    security.emplace(participant, std::move(incidents),
-                     [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); });
+  WatchedParticipant participant(config, "engine_sim " + std::to_string(scenario.engine_id));
   SimPublisher publisher(participant, scenario);
   CommandReader commands(participant, engine_id);
   std::optional<Lockstep> lockstep;

@@ -50,6 +50,36 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
   schema.real("shift.persistence_s", s.persistence_s, 0, 60, "s", "and must last so long");
   schema.real("shift.false_alarm_per_hour", s.false_alarm_per_hour, 1e-9, 100, "1/h",
               "rate at which noise alone may raise a health shift");
+  auto& f = o.faults;
+  schema.real("faults.false_alarm_per_hour", f.false_alarm_per_hour, 1e-9, 100, "1/h",
+              "rate at which noise alone may raise an abrupt fault, all sensors and components together");
+  schema.real("faults.persistence_s", f.persistence_s, 0, 10, "s", "the same answer so long before it is given");
+  schema.real("faults.decide_within_s", f.decide_within_s, 0.1, 60, "s",
+              "without a clear answer for so long the fault is called ambiguous");
+  schema.real("faults.wrong_name_probability", f.wrong_name_probability, 1e-9, 0.4, "",
+              "of calling one sensor another, or a component a sensor; smaller makes more ambiguous");
+  schema.real("faults.signature_error", f.signature_error, 0, 0.9, "",
+              "share of the evidence that the linear model's error may turn; larger makes more ambiguous");
+  schema.real("faults.slow_bias_probability", f.slow_bias_probability, 1e-15, 0.1, "",
+              "that the wear of an engine of the fleet alone looks like a slow bias of a sensor");
+}
+
+void declare_recording(Schema& schema, MonitorConfig& m) {
+  schema.text(
+      "record.file", m.record.file,
+      "records every sample and its estimates there (HDF5); an existing file is kept, the next free number taken");
+  schema.alias("record.file", "--record");
+  schema.integer("record.max_mb", m.record.max_mb, 1, 1000000, "MB", "a larger recording goes on in another file");
+  schema.integer("record.max_files", m.record.max_files, 1, 9999, "files",
+                 "the oldest ones beyond so many are removed");
+  schema.text("offline.file", m.offline.file,
+              "a recording or CSV file to estimate from without DDS, instead of serving");
+  schema.alias("offline.file", "--offline");
+  schema.text("offline.out", m.offline.out, "recording to write from offline.file, with its estimates");
+  schema.alias("offline.out", "--out");
+  schema.text("offline.column_map", m.offline.column_map,
+              "TOML file that says which column of a CSV file is which channel; empty: offline.file is a recording");
+  schema.alias("offline.column_map", "--column-map");
 }
 
 void declare_realtime(Schema& schema, RealtimeOptions& o) {
@@ -126,6 +156,7 @@ void declare(Schema& schema, MonitorConfig& m) {
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
   declare_realtime(schema, m.realtime);
+  declare_recording(schema, m);
   declare_checkpoint(schema, m);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
@@ -160,6 +191,10 @@ void finish_config(const MonitorConfig& m) {
   } catch (const std::invalid_argument& e) {
     throw ConfigError(std::string("'metrics.listen' ") + e.what() + ", empty for none");
   }
+  if (m.offline.file.empty() != m.offline.out.empty())
+    throw ConfigError("'offline.file' and 'offline.out' need each other: --offline FILE --out FILE");
+  if (m.offline.file.empty() && !m.offline.column_map.empty())
+    throw ConfigError("'offline.column_map' is for 'offline.file', which is not set");
   std::set<std::int64_t> seen;
   for (const auto& e : m.engines)
     for (const auto id : e.ids)

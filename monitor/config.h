@@ -28,6 +28,8 @@ struct MonitorConfig {
   std::string clock = "monotonic";
   CycleOptions cycle;
   RealtimeOptions realtime;
+  RecordOptions record;
+  OfflineOptions offline;
 
   std::string checkpoint_directory;  ///< empty: no checkpoints
   double checkpoint_period_s = 5.0;

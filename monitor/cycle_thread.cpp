@@ -31,7 +31,8 @@ constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that mus
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
-                         ReportQueue& reports, CheckpointKeeper* checkpoints, TableExchange& exchange)
+                         ReportQueue& reports, CheckpointKeeper* checkpoints, RecordFeed* records,
+                         TableExchange& exchange)
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
@@ -40,6 +41,7 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
       exchange_(exchange),
       reports_(reports),
       checkpoints_(checkpoints),
+      records_(records),
       sensors_(participant),
       commands_(participant),
       health_(participant),
@@ -93,11 +95,13 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
   slot->sample.writer = sensors_.writer();
   const std::uint64_t malformed = slot->cycle.counters().malformed;
   if (slot->cycle.counters().received == 0) first_sample(*slot);
-  if (slot->cycle.process(slot->sample)) {
+  const bool accepted = slot->cycle.process(slot->sample);
+  if (accepted) {
     slot->received_ns = arrival_ns;
     slot->last_sequence = slot->sample.sequence;
     publish(*slot, slot->cycle.result(), arrival_ns);
   }
+  if (records_) records_->sample(*slot, accepted);
   report_events(*slot);
   if (slot->cycle.counters().malformed != malformed) report_malformed(*slot);
 }
@@ -105,7 +109,10 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
 void CycleThread::first_sample(EngineSlot& slot) {
   reports_.push({Report::Kind::new_engine, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
   if (!checkpoints_) return;
-  if (const auto event = checkpoints_->resume(slot)) report_event(slot, *event);
+  if (const auto event = checkpoints_->resume(slot)) {
+    report_event(slot, *event);
+    if (records_ && !event->raised) records_->marker(slot, recording::RowKind::resumed);
+  }
 }
 
 void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
@@ -130,6 +137,7 @@ void CycleThread::obey(const MonitorCommand& command) {
   engines_->for_each([&](EngineSlot& slot) {
     if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
     slot.cycle.reset();
+    if (records_) records_->marker(slot, recording::RowKind::reset);
     report_events(slot);
   });
 }
@@ -140,7 +148,7 @@ void CycleThread::watch_input(std::int64_t now_ns) {
     const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
     const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
     if (!source_clock_ || age_s > source_silence_s) {
-      slot.cycle.no_input(age_s);
+      if (slot.cycle.no_input(age_s) && records_) records_->input_lost(slot, now_ns - last_ns);
       report_events(slot);
     }
     const StatusLevel level = level_of(slot);
@@ -179,6 +187,7 @@ void CycleThread::report_malformed(EngineSlot& slot) {
 
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
   if (!reports_.has_room()) return;  // tried again at the next turn
+  if (records_) judge_recording(slot);
   Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
   report.status = make_status(slot, level, now_ns, start_ns_);
   report.estimates = estimates_of(slot.cycle);
@@ -188,6 +197,7 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   report.status.reports_lost(reports_.overflow());
   report.status.reloads(exchange_.reloads.load(std::memory_order_relaxed));
   report.status.reloads_refused(exchange_.refused.load(std::memory_order_relaxed));
+  report.status.records_lost(records_ ? records_->lost() : 0);
   if (checkpoints_) {
     report.status.checkpoints_written(checkpoints_->writer().written());
     report.status.checkpoints_failed(checkpoints_->writer().failed());
@@ -197,6 +207,15 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   slot.status_received = slot.cycle.counters().received;
   slot.status_level = static_cast<std::uint32_t>(level);
   slot.status_counters = slot.cycle.counters();
+}
+
+void CycleThread::judge_recording(EngineSlot& slot) {
+  const std::uint64_t lost = records_->lost();
+  EventList changes;
+  slot.losing_records.set(lost != slot.status_records_lost,
+                          {wire::EventKind::recording, 0, false, static_cast<double>(lost), 0.0, 0}, changes);
+  slot.status_records_lost = lost;
+  for (const Event& event : changes) report_event(slot, event);
 }
 
 void CycleThread::exchange_table() {

@@ -11,6 +11,7 @@
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/engine_table.h"
 #include "monitor/realtime/arrival_clock.h"
+#include "monitor/record/record_feed.h"
 #include "monitor/redundancy/peer_watch.h"
 #include "monitor/reload/table_exchange.h"
 #include "monitor/report.h"
@@ -19,9 +20,9 @@ namespace ehm::monitor {
 
 class CycleThread {
  public:
-  /// `checkpoints` may be null: none are kept then.
+  /// `checkpoints` and `records` may be null: none are kept then.
   CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
-              CheckpointKeeper* checkpoints, TableExchange& exchange);
+              CheckpointKeeper* checkpoints, RecordFeed* records, TableExchange& exchange);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
@@ -36,6 +37,7 @@ class CycleThread {
   void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
   void obey(const MonitorCommand& command);
   void watch_input(std::int64_t now_ns);
+  void judge_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
   bool set_strength(std::uint32_t strength);
   void notice_stall(std::int64_t now_ns);
@@ -56,6 +58,7 @@ class CycleThread {
   TableExchange& exchange_;
   ReportQueue& reports_;
   CheckpointKeeper* checkpoints_;
+  RecordFeed* records_;
   std::uint64_t unknown_engine_samples_ = 0;
   ArrivalClock arrival_;
   bool backlog_ = false;  ///< the last turn left samples

@@ -25,19 +25,24 @@ struct EngineSlot {
     status_received = before.status_received;
     status_level = before.status_level;
     status_counters = before.status_counters;
+    status_records_lost = before.status_records_lost;
+    losing_records = before.losing_records;
   }
 
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet
   MonitorCycle cycle;
   LatencyHistogram latency;
-  Sample sample;                      ///< the latest, in order or not
-  std::uint64_t last_sequence = 0;    ///< of the latest sample in order
-  std::int64_t received_ns = 0;       ///< monotonic, of the latest sample in order
-  std::int64_t malformed_ns = 0;      ///< monotonic, when malformed samples were last spoken of
-  std::uint64_t deadline_misses = 0;  ///< estimates later than one sample time after their sample
-  std::uint64_t writes_refused = 0;   ///< by the middleware, on any estimate topic
-  std::int64_t status_ns = 0;         ///< monotonic, of the latest status
-  std::uint64_t status_received = 0;  ///< samples received up to that status
+  Sample sample;                              ///< the latest, in order or not
+  std::uint64_t last_sequence = 0;            ///< of the latest sample in order
+  std::int64_t received_ns = 0;               ///< monotonic, of the latest sample in order
+  std::int64_t malformed_ns = 0;              ///< monotonic, when malformed samples were last spoken of
+  std::uint64_t deadline_misses = 0;          ///< estimates later than one sample time after their sample
+  std::uint64_t writes_refused = 0;           ///< by the middleware, on any estimate topic
+  std::int64_t status_ns = 0;                 ///< monotonic, of the latest status
+  std::uint64_t status_received = 0;          ///< samples received up to that status
+  std::uint64_t recorded_loss_after = ~0ull;  ///< samples received when the recording's latest loss of input was noted
+  std::uint64_t status_records_lost = 0;      ///< rows lost up to the latest status
+  Condition losing_records;                   ///< between the latest two of them
   std::uint32_t status_level = 0;
   CycleCounters status_counters;           ///< at that status, to tell what is new
   std::int64_t checkpoint_ns = 0;          ///< monotonic, of the latest checkpoint

@@ -1,5 +1,6 @@
 #include "monitor/engine_table.h"
 
+#include <algorithm>
 #include <map>
 
 #include "monitor/design/design_file.h"
@@ -21,6 +22,14 @@ EngineTable::EngineTable(const MonitorConfig& config) : index_(static_cast<std::
     }
   if (config.design.empty()) return;
   while (slots_.size() < static_cast<std::size_t>(config.max_engines)) slots_.push_back(make_slot(config.design));
+}
+
+std::vector<const design::Design*> EngineTable::designs() const {
+  std::vector<const design::Design*> designs;
+  for (const auto& slot : slots_)
+    if (std::find(designs.begin(), designs.end(), &slot->cycle.design()) == designs.end())
+      designs.push_back(&slot->cycle.design());
+  return designs;
 }
 
 const design::Design* EngineTable::design_of(std::uint32_t engine_id) const noexcept {

@@ -44,6 +44,8 @@ class EngineTable {
   void for_each(Visit&& visit) {
     for (std::size_t i = 0; i < used_; ++i) visit(*slots_[i]);
   }
+  /// The designs that fly, each once; at least one.
+  std::vector<const design::Design*> designs() const;
   std::size_t size() const noexcept { return slots_.size(); }
 
  private:

@@ -7,12 +7,14 @@
 
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
+#include "deploy/files/file_error.h"
 #include "deploy/service/exit_code.h"
 #include "idl/dds/security.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
 #include "monitor/listen/listen.h"
+#include "monitor/offline.h"
 #include "monitor/service.h"
 
 namespace {
@@ -70,8 +72,17 @@ int main(int argc, char** argv) {
   try {
     if (listen.wanted)
       return monitor::listen(config, *engines, listen, std::cout) ? service::exit_ok : service::exit_failed;
-    monitor::run_service(config, *engines, {schema.values(), [=] { return read_again(argc, argv); }});
+    if (config.offline.file.empty())
+      monitor::run_service(config, *engines, {schema.values(), [=] { return read_again(argc, argv); }});
+    else
+      monitor::run_offline(config, *engines);
     return service::exit_ok;
+  } catch (const files::FileError& e) {
+    std::cerr << "monitor: " << e.what() << '\n';
+    return service::exit_usage;
+  } catch (const config::ConfigError& e) {
+    std::cerr << "monitor: " << e.what() << '\n';
+    return service::exit_usage;
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';
     return service::exit_failed;

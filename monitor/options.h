@@ -36,6 +36,16 @@ struct ShiftOptions {
   friend bool operator==(const ShiftOptions&, const ShiftOptions&) = default;
 };
 
+/// Detection of abrupt sensor and component faults, and of slow bias.
+struct FaultOptions {
+  double false_alarm_per_hour = 0.02;    ///< by noise, of all abrupt faults together
+  double persistence_s = 0.075;          ///< the same answer so long before it is given
+  double decide_within_s = 2.0;          ///< then "ambiguous" is the answer
+  double wrong_name_probability = 1e-3;  ///< of sensor against component, sensor against sensor
+  double signature_error = 0.1;          ///< share of the evidence that a wrong model may turn
+  double slow_bias_probability = 1e-6;   ///< per engine of the fleet, that wear alone looks like a slow bias
+};
+
 /// Raised when the estimate leaves [min, max]; cleared when it is back inside by `hysteresis`.
 struct LimitOptions {
   std::string quantity;  ///< name of a health or auxiliary channel
@@ -43,10 +53,25 @@ struct LimitOptions {
   friend bool operator==(const LimitOptions&, const LimitOptions&) = default;
 };
 
+/// Everything that the cycles see and say, in a file (deploy/docs/recording.md).
+struct RecordOptions {
+  std::string file;  ///< empty: nothing is recorded
+  std::int64_t max_mb = 1000;
+  std::int64_t max_files = 10;
+};
+
+/// A recording or a CSV file through the cycles, without DDS.
+struct OfflineOptions {
+  std::string file;  ///< empty: the service runs
+  std::string out;
+  std::string column_map;  ///< of a CSV file
+};
+
 struct CycleOptions {
   CheckOptions checks;
   ValidityOptions validity;
   ShiftOptions shift;
+  FaultOptions faults;
   std::vector<LimitOptions> limits;
   double stale_periods = 3.0;
   friend bool operator==(const CycleOptions&, const CycleOptions&) = default;

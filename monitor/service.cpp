@@ -11,6 +11,7 @@
 #include "monitor/cycle_thread.h"
 #include "monitor/export/metrics_endpoint.h"
 #include "monitor/realtime/clock.h"
+#include "monitor/record/recorder.h"
 #include "monitor/reporter.h"
 
 namespace ehm::monitor {
@@ -64,6 +65,8 @@ struct Checkpoints {
 
 void run_service(const MonitorConfig& config, EngineTable& engines, const ReloadSource& source) {
   const service::StopSignal stop;
+  std::optional<Recorder> recorder;
+  if (!config.record.file.empty()) recorder.emplace(config, engines);
   NoticeBoard notices;
   InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
   auto options = watched_participant(config, notices, input);
@@ -85,7 +88,8 @@ void run_service(const MonitorConfig& config, EngineTable& engines, const Reload
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
   TableExchange exchange;
   const Reloader reloader(source, exchange, notices);
-  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr, exchange);
+  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr,
+                    recorder ? &recorder->feed() : nullptr, exchange);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});

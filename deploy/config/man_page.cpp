@@ -91,7 +91,8 @@ void configuration(std::ostream& out, const Schema& schema) {
     out << ".TP\n"
         << bold(key.name) << " = " << roff(key.default_text) << '\n'
         << roff(key.description) << ": " << roff(key.allowed) << ".\n.br\n"
-        << bold(flag_name(key.name)) << ", " << bold(environment_name(key.name)) << '\n';
+        << bold(flag_name(key.name)) << ", " << (key.alias.empty() ? "" : bold(key.alias) + ", ")
+        << bold(environment_name(key.name)) << '\n';
   }
   for (const auto& table : schema.table_keys())
     out << ".SS [[" << roff(table.name) << "]]\n" << roff(table.description) << ".\n";

@@ -1,6 +1,7 @@
 #include "deploy/config/schema.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -52,25 +53,31 @@ void Schema::add(Entry entry) {
 
 void Schema::real(const std::string& key, double& value, double min, double max, const std::string& unit,
                   const std::string& description) {
-  add({key, unit, description, &value, min, max, {}, {}, {}, false});
+  add({key, unit, description, &value, min, max, {}, {}, {}, {}, false});
 }
 
 void Schema::integer(const std::string& key, std::int64_t& value, std::int64_t min, std::int64_t max,
                      const std::string& unit, const std::string& description) {
-  add({key, unit, description, &value, static_cast<double>(min), static_cast<double>(max), {}, {}, {}, false});
+  add({key, unit, description, &value, static_cast<double>(min), static_cast<double>(max), {}, {}, {}, {}, false});
 }
 
 void Schema::text(const std::string& key, std::string& value, const std::string& description) {
-  add({key, "", description, &value, 0, 0, {}, {}, {}, false});
+  add({key, "", description, &value, 0, 0, {}, {}, {}, {}, false});
 }
 
 void Schema::flag(const std::string& key, bool& value, const std::string& description) {
-  add({key, "", description, &value, 0, 0, {}, {}, {}, false});
+  add({key, "", description, &value, 0, 0, {}, {}, {}, {}, false});
 }
 
 void Schema::choice(const std::string& key, std::string& value, const std::vector<std::string>& allowed,
                     const std::string& description) {
-  add({key, "", description, &value, 0, 0, allowed, {}, {}, false});
+  add({key, "", description, &value, 0, 0, allowed, {}, {}, {}, false});
+}
+
+void Schema::alias(const std::string& key, const std::string& flag) {
+  const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.key == key; });
+  assert(entry != entries_.end());
+  entry->alias = flag;
 }
 
 void Schema::tables(const std::string& key, const std::string& description,
@@ -83,7 +90,7 @@ void Schema::add_flags(CLI::App& app) {
     // Entries may move while the schema grows: flags are added last, so a pointer to the entry is stable here.
     Entry* target = &entry;
     app.add_option_function<std::string>(
-           flag_name(entry.key),
+           flag_name(entry.key) + (entry.alias.empty() ? "" : "," + entry.alias),
            [target](const std::string& text) {
              target->flag_text = text;
              target->flag_given = true;
@@ -196,13 +203,13 @@ void Schema::assign_text(Entry& entry, const std::string& text, const std::strin
 
 std::vector<Schema::KeyText> Schema::keys() const {
   std::vector<KeyText> list;
-  for (const auto& e : entries_) list.push_back({e.key, e.description, e.allowed_text(), e.default_text});
+  for (const auto& e : entries_) list.push_back({e.key, e.description, e.allowed_text(), e.default_text, e.alias});
   return list;
 }
 
 std::vector<Schema::KeyText> Schema::table_keys() const {
   std::vector<KeyText> list;
-  for (const auto& t : tables_) list.push_back({t.key, t.description, "", ""});
+  for (const auto& t : tables_) list.push_back({t.key, t.description, "", "", ""});
   return list;
 }
 

@@ -34,6 +34,8 @@ class Schema {
   void flag(const std::string& key, bool& value, const std::string& description);
   void choice(const std::string& key, std::string& value, const std::vector<std::string>& allowed,
               const std::string& description);
+  /// A short flag that means the same as the key's own, such as "--record" for record.file.
+  void alias(const std::string& key, const std::string& flag);
   /// A structured section (array of tables) that the program parses itself, see table_reader.h.
   void tables(const std::string& key, const std::string& description,
               const std::function<void(const std::string& file, const toml::array&)>& parse);
@@ -46,6 +48,7 @@ class Schema {
 
   struct KeyText {
     std::string name, description, allowed, default_text;
+    std::string alias;  ///< short flag; empty: none
   };
   std::vector<KeyText> keys() const;
   /// Name and description of the structured sections.
@@ -62,6 +65,7 @@ class Schema {
     double min = 0, max = 0;
     std::vector<std::string> allowed;
     std::string default_text;
+    std::string alias;
     std::string flag_text;  // as given on the command line
     bool flag_given = false;
     std::string allowed_text() const;

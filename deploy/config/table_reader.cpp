@@ -86,6 +86,21 @@ double TableReader::real_or(const std::string& key, double fallback, double min,
   return has(key) ? real(key, min, max) : fallback;
 }
 
+std::int64_t TableReader::integer(const std::string& key, std::int64_t min, std::int64_t max) {
+  const std::string allowed = "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
+  const toml::node& node = require(key, allowed);
+  if (!node.is_integer()) refuse(key, "is not a whole number", allowed);
+  const auto value = *node.value<std::int64_t>();
+  if (value < min || value > max) refuse(key, "is " + std::to_string(value), allowed);
+  return value;
+}
+
+bool TableReader::flag(const std::string& key) {
+  const toml::node& node = require(key, "true or false");
+  if (!node.is_boolean()) refuse(key, "is neither true nor false", "true or false");
+  return *node.value<bool>();
+}
+
 std::string TableReader::text(const std::string& key) {
   const toml::node& node = require(key, "a text");
   if (!node.is_string()) refuse(key, "is not a text", "a text");

@@ -24,11 +24,16 @@ class TableReader {
 
   double real(const std::string& key, double min, double max);
   double real_or(const std::string& key, double fallback, double min, double max);
+  std::int64_t integer(const std::string& key, std::int64_t min, std::int64_t max);
+  bool flag(const std::string& key);
   std::string text(const std::string& key);
   std::string text_or(const std::string& key, const std::string& fallback);
   std::string choice(const std::string& key, const std::vector<std::string>& allowed);
   std::vector<std::int64_t> integers(const std::string& key, std::int64_t min, std::int64_t max);
   bool has(const std::string& key) const { return table_.contains(key); }
+  bool is_text(const std::string& key) const { return table_[key].is_string(); }
+  /// "file:line" of the table
+  std::string place() const { return where(file_, table_); }
   /// Refuses keys that nobody asked for. Call last.
   void finish() const;
 

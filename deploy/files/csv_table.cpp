@@ -9,7 +9,9 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <new>
+#include <sstream>
 
 #include "deploy/files/file_error.h"
 
@@ -116,6 +118,20 @@ CsvTable read_csv(const std::string& path) {
 std::vector<CsvRow> read_csv_records(const std::string& path) {
   std::ifstream in = open_to_read(path);
   return parse_records(in, path);
+}
+
+std::vector<CsvRow> read_blank_records(const std::string& path) {
+  std::ifstream in = open_to_read(path);
+  std::vector<CsvRow> records;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (++number == 1) skip_byte_order_mark(line);
+    std::istringstream cells(line);
+    CsvRow row{number, {std::istream_iterator<std::string>(cells), {}}};
+    if (!row.cells.empty()) records.push_back(std::move(row));
+  }
+  if (in.bad()) throw FileError(path + ": cannot be read: " + std::strerror(errno));
+  return records;
 }
 
 std::optional<double> parse_number(std::string_view text) {

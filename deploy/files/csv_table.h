@@ -35,6 +35,10 @@ CsvTable read_csv(const std::string& path);
 /// @throws FileError if it cannot be read, or a line has unbalanced quotes
 std::vector<CsvRow> read_csv_records(const std::string& path);
 
+/// The same for values that are separated by blanks or tabs, any number of them, without quoting.
+/// @throws FileError if it cannot be read
+std::vector<CsvRow> read_blank_records(const std::string& path);
+
 /// The number that the whole text is, if it is a finite one.
 std::optional<double> parse_number(std::string_view text);
 

@@ -131,6 +131,17 @@ void declare_control(Schema& schema, Scenario& s) {
               "how fast the speed loops close: a small error falls to 1/e in its inverse");
 }
 
+void declare_replay(Schema& schema, ReplayOptions& r) {
+  schema.text("replay.file", r.file,
+              "a monitor's recording or a CSV file to publish instead of a flight, with its engines and sequences");
+  schema.alias("replay.file", "--replay");
+  schema.text("replay.column_map", r.column_map,
+              "TOML file that says which column of a CSV file is which channel; empty: replay.file is a recording");
+  schema.alias("replay.column_map", "--column-map");
+  schema.choice("replay.stamps", r.stamps, {"original", "now"},
+                "time stamps as recorded, or moved so that the first one is the present");
+}
+
 }  // namespace
 
 void declare(Schema& schema, SimConfig& c) {
@@ -149,10 +160,12 @@ void declare(Schema& schema, SimConfig& c) {
                  "of the sensor noise; the same seed gives the same readings");
   schema.text("run.rate", c.rate,
               "times real time, 0.01 to 1000, or max: as fast as a monitor answers, losing nothing");
+  schema.alias("run.rate", "--rate");
   schema.integer("run.lockstep_window", c.lockstep_window, 1, 128, "samples",
                  "how many samples may be unanswered at rate max");
   schema.integer("run.wait_for_monitors", c.wait_for_monitors, 0, 64, "",
                  "start the flight when so many readers of EngineSensors have matched");
+  declare_replay(schema, c.replay);
   schema.real("flight.altitude_m", s.flight.altitude_m, -500, 15000, "m", "pressure altitude at the start");
   schema.real("flight.mach", s.flight.mach, 0, 0.95, "", "flight Mach number at the start");
   schema.real("flight.delta_isa_k", s.flight.delta_isa_k, -60, 60, "K",
@@ -215,6 +228,8 @@ double SimConfig::rate_factor() const {
 
 void finish_config(SimConfig& c) {
   c.rate_factor();
+  if (c.replay.file.empty() && !c.replay.column_map.empty())
+    throw ConfigError("'replay.column_map' is for 'replay.file', which is not set");
   c.scenario.demand.kind = c.demand_kind == "t40_k"          ? DemandKind::t40_k
                            : c.demand_kind == "n1_rpm"       ? DemandKind::n1_rpm
                            : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n

@@ -3,6 +3,7 @@
 //
 //   [engine] id, source_id, heat_soak           [aircraft] customer_bleed_kg_s, power_w
 //   [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
+//   [replay] file, column_map, stamps
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
 //   [sensors] noise, lag, quantisation          [control] limits, bandwidth        [dds] domain, partition, profiles
 //   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k
@@ -20,8 +21,16 @@
 
 namespace ehm::engine {
 
+/// A recording or CSV file instead of a flight.
+struct ReplayOptions {
+  std::string file;        ///< empty: fly
+  std::string column_map;  ///< of a CSV file
+  std::string stamps = "original";
+};
+
 struct SimConfig {
   Scenario scenario;
+  ReplayOptions replay;
   std::string demand_kind = "t40_k";
   std::string rate = "1";             ///< times real time, or "max": lockstep with the monitor
   std::int64_t lockstep_window = 16;  ///< samples that may be unanswered under "max"

@@ -39,6 +39,16 @@ std::string reasons(std::uint32_t detail) {
   return text;
 }
 
+/// What the fault detector measured, or what the checks saw.
+std::string sensor_fault(const Event& e, const estimation::LinearModel& model) {
+  namespace reason = wire::reject_reason;
+  const auto& sensor = model.sensors.at(e.channel);
+  if (e.detail & reason::noise) return fmt::format("its noise grew {:.1f} times or more", e.value);
+  if (!(e.detail & reason::bias)) return reasons(e.detail);
+  const double sigma = model.sensor_noise_sigma(static_cast<Eigen::Index>(e.channel));
+  return fmt::format("bias {:+.4g} {}, {:+.1f} sigma, since {:.2f} s", e.value, sensor.unit, e.value / sigma, e.age_s);
+}
+
 /// What became of a readable checkpoint at the engine's first sample; of an unreadable one the file's reader tells.
 std::string checkpoint_text(const Event& e) {
   switch (static_cast<Resumption>(e.detail)) {
@@ -70,7 +80,7 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
   const auto* c = channel_of(e, model);
   switch (e.kind) {
     case wire::EventKind::sensor_fault:
-      return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, reasons(e.detail))
+      return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, sensor_fault(e, model))
                       : fmt::format("sensor {} is good again and used", c->name);
     case wire::EventKind::health_shift:
       return e.raised ? fmt::format("{} changed by {:+.4f} {} (noticeable from {:.4f})", c->name, e.value, c->unit,
@@ -108,6 +118,9 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
             "another writer also sends samples of this engine as source {:.0f}; the first is listened to", e.value);
       return fmt::format("source {:.0f} also sends samples of this engine; source {:.0f} is listened to", e.value,
                          e.threshold);
+    case wire::EventKind::recording:
+      return e.raised ? fmt::format("the recording is incomplete: {:.0f} rows are lost so far", e.value)
+                      : "the recording loses no rows any more";
     case wire::EventKind::ambiguous_fault:
       return e.raised ? fmt::format("something changed abruptly, and sensor or component cannot be told (likeliest {})",
                                     c->name)
@@ -121,7 +134,6 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return checkpoint_text(e);
     case wire::EventKind::configuration:
     case wire::EventKind::incompatible_qos:
-    case wire::EventKind::recording:
     case wire::EventKind::security:
       break;  // their messages are made where they happen, off the cycle
   }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 
+#include "tests/integration/engine_samples.h"
 #include "tests/integration/pair.h"
 
 namespace {
@@ -19,29 +20,8 @@ class BadSamplesTest : public PairTest {
   void SetUp() override {
     monitor_ = start_monitor({"--monitor-max-engines", "1", "--monitor-status-period-s", "0.1"});
     ASSERT_TRUE(listener_.await([&] { return writer_.matched() == 2; }));
-    const auto design = nlohmann::json::parse(std::ifstream(design_file()));
-    for (const auto& channel : design["model"]["sensors"]) trim_.push_back(channel["trim"]);
-    for (const auto& channel : design["model"]["controls"]) actuator_trim_.push_back(channel["trim"]);
   }
-  EngineSensors good() {
-    EngineSensors s;
-    s.engine_id(1);
-    s.schema(wire::schema_version);
-    s.source_id(9);
-    s.sequence_number(sequence_);
-    s.source_time_ns(1'000'000'000'000 + static_cast<std::int64_t>(sequence_) * 15'000'000);
-    s.altitude_m(10668.0);
-    s.mach(0.8);
-    s.actuator_count(static_cast<std::uint32_t>(actuator_trim_.size()));
-    std::copy(actuator_trim_.begin(), actuator_trim_.end(), s.actuator().begin());
-    s.sensor_count(static_cast<std::uint32_t>(trim_.size()));
-    s.sensor_valid((1u << trim_.size()) - 1);
-    // A trace of noise, since equal values would be stuck.
-    for (std::size_t i = 0; i < trim_.size(); ++i)
-      s.sensor()[i] = trim_[i] * (1.0 + 1e-5 * static_cast<double>(sequence_ % 7));
-    ++sequence_;
-    return s;
-  }
+  EngineSensors good() { return samples_.next(); }
   /// Sends and waits until the monitor has counted it.
   MonitorStatus send(const EngineSensors& sample) {
     writer_.write(sample);
@@ -52,8 +32,8 @@ class BadSamplesTest : public PairTest {
   }
   std::unique_ptr<Process> monitor_;
   wire::Writer<EngineSensors> writer_{participant_};
-  std::vector<double> trim_, actuator_trim_;
-  std::uint64_t sequence_ = 0, sent_ = 0;
+  EngineSamples samples_{design_file(), 1};
+  std::uint64_t sent_ = 0;
 };
 
 TEST_F(BadSamplesTest, EachHasItsCounter) {
@@ -65,7 +45,7 @@ TEST_F(BadSamplesTest, EachHasItsCounter) {
   s.sensor()[3] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(send(s).sensor_rejections(), 2u);
   s = good();
-  s.sensor()[4] = 10.0 * trim_[4];
+  s.sensor()[4] = 10.0 * samples_.trim()[4];
   EXPECT_EQ(send(s).sensor_rejections(), 3u);
   ASSERT_TRUE(listener_.await([&] { return listener_.residuals.size() == 8; }));
   EXPECT_EQ(listener_.residuals[5].reason()[2], wire::reject_reason::not_finite);

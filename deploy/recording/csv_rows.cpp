@@ -1,0 +1,135 @@
+#include "deploy/recording/csv_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "deploy/files/file_error.h"
+
+namespace ehm::recording {
+
+using files::CsvRow;
+using files::FileError;
+
+namespace {
+
+constexpr std::uint32_t wire_schema = 1, csv_source_id = 1;
+constexpr double largest_time_s = 9e9;  // what 64 bits of nanoseconds hold
+
+bool says_missing(std::string_view cell) {
+  return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN";
+}
+
+std::vector<Channel> described(const std::vector<MappedChannel>& channels) {
+  std::vector<Channel> all;
+  for (const auto& channel : channels) all.push_back({channel.name, channel.unit});
+  return all;
+}
+
+}  // namespace
+
+CsvRows::CsvRows(const std::string& file, ColumnMap map) : file_(file), map_(std::move(map)) {
+  info_.channels.actuators = described(map_.actuators);
+  info_.channels.sensors = described(map_.sensors);
+  info_.sample_time_s = map_.sample_time_s;
+  for (const auto* group : {&map_.flight, &map_.actuators, &map_.sensors})
+    channels_.insert(channels_.end(), group->begin(), group->end());
+
+  const std::vector<CsvRow> records =
+      map_.blank_separated ? files::read_blank_records(file) : files::read_csv_records(file);
+  const std::size_t first = map_.header ? 1 : 0;
+  if (records.size() <= first) throw FileError(file + ": has no row" + (map_.header ? " below its header" : ""));
+  find_columns(map_.header ? &records.front() : nullptr);
+  for (std::size_t i = first; i < records.size(); ++i) parse(records[i]);
+}
+
+CsvRows::Place CsvRows::find(const Column& column, const CsvRow* header) const {
+  if (const auto* number = std::get_if<std::size_t>(&column)) return {*number - 1, "column " + std::to_string(*number)};
+  const auto& name = std::get<std::string>(column);
+  const auto found = std::find(header->cells.begin(), header->cells.end(), name);
+  if (found == header->cells.end())
+    throw FileError(file_ + ":" + std::to_string(header->line) + ": the header has no column '" + name + "'");
+  return {static_cast<std::size_t>(found - header->cells.begin()), "column '" + name + "'"};
+}
+
+void CsvRows::find_columns(const CsvRow* header) {
+  const auto use = [&](const Column& column) {
+    const Place place = find(column, header);
+    needed_cells_ = std::max(needed_cells_, place.index + 1);
+    return place;
+  };
+  if (!map_.engine_id_constant) engine_column_ = use(map_.engine_id_column);
+  if (!map_.equidistant) time_column_ = use(map_.time_column);
+  for (const auto& channel : channels_) places_.push_back(channel.constant ? Place{} : use(channel.column));
+}
+
+void CsvRows::refuse(const CsvRow& row, const Place& place, const std::string& allowed) const {
+  throw FileError(file_ + ":" + std::to_string(row.line) + ": " + place.name + " is " +
+                  files::in_quotes(row.cells[place.index]) + ", allowed is " + allowed);
+}
+
+void CsvRows::parse(const CsvRow& row) {
+  if (row.cells.size() < needed_cells_)
+    throw FileError(file_ + ":" + std::to_string(row.line) + ": " + std::to_string(row.cells.size()) +
+                    " cells, the column map needs " + std::to_string(needed_cells_));
+  const std::uint32_t engine = parse_engine(row);
+  const std::uint64_t sequence = rows_of_[engine]++;
+  parsed_.push_back({engine, sequence, parse_time(row, engine, sequence)});
+  const std::size_t first_sensor = map_.flight.size() + map_.actuators.size();
+  for (std::size_t i = 0; i < channels_.size(); ++i)
+    values_.push_back(parse_value(row, channels_[i], places_[i], i >= first_sensor));
+}
+
+std::uint32_t CsvRows::parse_engine(const CsvRow& row) const {
+  if (map_.engine_id_constant) return map_.engine_id;
+  const auto number = files::parse_number(row.cells[engine_column_.index]);
+  if (!number || *number < 1 || *number > 4294967295.0 || *number != std::floor(*number))
+    refuse(row, engine_column_, "an engine id: a whole number from 1 to 4294967295");
+  return static_cast<std::uint32_t>(*number);
+}
+
+std::int64_t CsvRows::parse_time(const CsvRow& row, std::uint32_t engine, std::uint64_t sequence) {
+  if (map_.equidistant) return std::llround(1e9 * map_.sample_time_s * static_cast<double>(sequence));
+  const auto number = files::parse_number(row.cells[time_column_.index]);
+  if (!number || std::abs(*number * map_.seconds_per_unit) > largest_time_s)
+    refuse(row, time_column_, "a time within 9e9 s");
+  const std::int64_t time_ns = std::llround(1e9 * map_.seconds_per_unit * *number);
+  const auto last = last_time_ns_.find(engine);
+  if (last != last_time_ns_.end() && time_ns <= last->second)
+    refuse(row, time_column_, "a later time than in the row of engine " + std::to_string(engine) + " before");
+  last_time_ns_[engine] = time_ns;
+  return time_ns;
+}
+
+double CsvRows::parse_value(const CsvRow& row, const MappedChannel& channel, const Place& place, bool may_miss) const {
+  if (channel.constant) return channel.value;
+  const std::string& cell = row.cells[place.index];
+  if (may_miss && says_missing(cell)) return no_value;
+  const auto number = files::parse_number(cell);
+  if (!number)
+    refuse(row, place, may_miss ? "a number, or nan for a missing value" : "a number (" + channel.name + ")");
+  return channel.factor * *number + channel.offset;
+}
+
+bool CsvRows::next(Row& row) {
+  if (position_ == parsed_.size()) return false;
+  const Parsed& parsed = parsed_[position_];
+  const double* value = values_.data() + position_ * channels_.size();
+  ++position_;
+  row = Row{};
+  row.a.unit = parsed.engine_id;
+  row.a.sequence = static_cast<std::int64_t>(parsed.sequence);
+  row.a.source_time_ns = row.a.received_ns = parsed.time_ns;
+  row.a.schema = wire_schema;
+  row.a.source_id = csv_source_id;
+  row.a.sensor_count = static_cast<std::int64_t>(map_.sensors.size());
+  row.a.actuator_count = static_cast<std::int64_t>(map_.actuators.size());
+  row.a.accepted = 1;
+  const std::size_t acting = flight_channels + map_.actuators.size();
+  std::copy_n(value, acting, row.w.begin());
+  std::copy_n(value + acting, map_.sensors.size(), row.x_s.begin());
+  for (std::size_t i = 0; i < map_.sensors.size(); ++i)
+    if (!std::isnan(row.x_s[i])) row.a.sensor_valid |= std::int64_t{1} << i;
+  return true;
+}
+
+}  // namespace ehm::recording

@@ -1,0 +1,26 @@
+#pragma once
+// Samples that are sent before anybody has matched are gone: a flight or a replay waits here first.
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <cstdint>
+#include <thread>
+
+#include "deploy/service/stop_signal.h"
+
+namespace ehm::engine {
+
+/// Until `ready()`, or a stop is requested; `wanted` readers of EngineSensors are what it waits for.
+template <class Ready>
+void wait_for_readers(std::int64_t wanted, Ready ready, const service::StopSignal& stop) {
+  constexpr std::chrono::milliseconds match_poll{10};
+  // Matching is not symmetric: a reader that we know may learn of us an announcement later. Samples sent in between
+  // arrive, but late.
+  constexpr std::chrono::milliseconds match_settling{300};
+  if (!ready()) spdlog::info("waiting for {} reader(s) of EngineSensors", wanted);
+  while (!ready() && !stop.requested()) std::this_thread::sleep_for(match_poll);
+  if (wanted > 0 && !stop.requested()) std::this_thread::sleep_for(match_settling);
+}
+
+}  // namespace ehm::engine

@@ -1,0 +1,47 @@
+#pragma once
+// The simulator's and the replay's DDS participant, from the configuration; who is kept out of its secured domain is
+// said in the log.
+
+#include <spdlog/spdlog.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "deploy/service/security_watch.h"
+#include "engine_sim/scenario/scenario_file.h"
+#include "idl/dds/participant.h"
+
+namespace ehm::engine {
+
+class WatchedParticipant {
+ public:
+  /// `name` is what other participants see. @throws wire::DdsError
+  WatchedParticipant(const SimConfig& config, const std::string& name) : options_(options(config, name)) {
+    auto incidents = service::hear_incidents(options_);
+    participant_.emplace(options_);
+    if (!config.security.empty())
+      security_.emplace(*participant_, std::move(incidents),
+                        [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); });
+  }
+  operator wire::Participant&() { return *participant_; }
+
+ private:
+  static wire::ParticipantOptions options(const SimConfig& config, const std::string& name) {
+    wire::ParticipantOptions options;
+    options.domain = static_cast<std::uint32_t>(config.domain);
+    options.name = name;
+    options.profiles_file = config.profiles_file;
+    options.profile = config.profile;
+    options.partition = config.partition;
+    options.security = config.security;
+    options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
+    return options;
+  }
+
+  wire::ParticipantOptions options_;
+  std::optional<wire::Participant> participant_;
+  std::optional<service::SecurityWatch> security_;
+};
+
+}  // namespace ehm::engine

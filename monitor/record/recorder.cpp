@@ -1,0 +1,126 @@
+#include "monitor/record/recorder.h"
+
+#include <spdlog/spdlog.h>
+
+#include "deploy/recording/part_files.h"
+#include "monitor/realtime/clock.h"
+
+namespace ehm::monitor {
+
+using config::ConfigError;
+using std::chrono::steady_clock;
+
+namespace {
+
+constexpr std::chrono::milliseconds poll{20};
+constexpr std::size_t commit_rows = 16 * recording::Writer::chunk_rows;
+// What kill -9 may cost: whole chunks reach the file after one time, a part of a chunk after the other.
+constexpr std::chrono::milliseconds commit_chunks_after{500}, commit_all_after{5000};
+constexpr double bytes_per_mb = 1e6;
+
+}  // namespace
+
+Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines)
+    : options_(config.record), feed_(std::make_unique<RecordFeed>()) {
+  const design::Design* first = nullptr;
+  for (const design::Design* design : engines.designs()) {
+    if (!first) first = design;
+    if (recorded_channels(*design) != recorded_channels(*first))
+      throw ConfigError("'record.file' is '" + options_.file + "', but the designs " + first->hash.substr(0, 12) +
+                        " and " + design->hash.substr(0, 12) +
+                        " have different channels; a recording has one set of them: run one monitor for each");
+  }
+  info_.recording_id = wall_clock_ns();
+  info_.part = 0;
+  info_.monitor_source_id = config.source_id;
+  info_.sample_time_s = first->model.sample_time_s;
+  info_.created_by = "monitor";
+  begin_part(recorded_channels(*first));
+  thread_ = std::thread([this] { run(); });
+}
+
+Recorder::~Recorder() {
+  stop_.store(true, std::memory_order_release);
+  thread_.join();
+}
+
+void Recorder::begin_part(recording::Channels channels) {
+  if (writer_ && channels != writer_->channels()) {
+    info_.recording_id = wall_clock_ns();
+    info_.part = 0;
+  }
+  writer_.reset();  // closed before the oldest are counted
+  design_ = nullptr;
+  ++info_.part;
+  info_.channels = std::move(channels);
+  recording::remove_oldest_parts(options_.file, options_.max_files - 1);
+  writer_ = std::make_unique<recording::Writer>(
+      recording::part_name(options_.file, recording::next_part(options_.file)), info_);
+  spdlog::info("recording to {}", writer_->path());
+}
+
+template <class Step>
+void Recorder::attempt(Step step) {
+  if (!writer_) return;
+  try {
+    step();
+  } catch (const std::exception& e) {
+    spdlog::error("recording has ended: {}; the monitor goes on, its samples count as records_lost", e.what());
+    if (writer_) feed_->count_unwritten(writer_->pending());
+    writer_.reset();
+  }
+}
+
+void Recorder::run() {
+  recording::silence_hdf5_errors();
+  // The flag is read before the queue: what was queued before the stop is still written.
+  for (bool last = false; !last;) {
+    last = stop_.load(std::memory_order_acquire);
+    take_all();
+    if (!last) std::this_thread::sleep_for(poll);
+  }
+  attempt([this] {
+    writer_->commit(true);
+    spdlog::info("{} rows recorded in {}", writer_->rows(), writer_->path());
+  });
+}
+
+void Recorder::take_all() {
+  Record record;
+  while (feed_->queue().pop(record)) {
+    bool appended = false;
+    attempt([&] {
+      append(record);
+      appended = true;
+    });
+    feed_->count_unwritten(appended ? 0 : 1);
+    if (appended && writer_->pending() >= commit_rows) attempt([this] { commit_when_due(); });
+  }
+  attempt([this] { commit_when_due(); });
+}
+
+void Recorder::append(const Record& record) {
+  if (record.design != design_) {
+    if (auto channels = recorded_channels(*record.design); channels != writer_->channels())
+      begin_part(std::move(channels));
+    design_index_ = writer_->design_index(record.design->hash);
+    design_ = record.design;
+  }
+  if (writer_->pending() == 0) oldest_pending_ = steady_clock::now();
+  writer_->append(record.row, design_index_);
+}
+
+void Recorder::commit_when_due() {
+  if (writer_->pending() == 0) return;
+  const auto waited = steady_clock::now() - oldest_pending_;
+  const bool all = waited >= commit_all_after;
+  if (!all && waited < commit_chunks_after && writer_->pending() < commit_rows) return;
+  const std::size_t before = writer_->pending();
+  writer_->commit(all);
+  if (writer_->pending() != before) oldest_pending_ = steady_clock::now();
+  if (static_cast<double>(writer_->bytes()) <= bytes_per_mb * static_cast<double>(options_.max_mb)) return;
+  writer_->commit(true);
+  begin_part(writer_->channels());
+}
+
+}  // namespace ehm::monitor

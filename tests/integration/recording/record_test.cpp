@@ -1,0 +1,329 @@
+// What a real monitor records of real flights is complete, and gives the same estimates to the bit offline and
+// replayed.
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+
+#include "deploy/files/csv_table.h"
+#include "deploy/recording/recording_rows.h"
+#include "tests/integration/engine_samples.h"
+#include "tests/integration/pair.h"
+#include "tests/temporary_folder.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::test;
+using recording::Row;
+using recording::RowKind;
+using testing::HasSubstr;
+
+std::vector<Row> read_rows(const std::string& file) {
+  recording::RecordingRows rows(file);
+  std::vector<Row> all;
+  for (Row row; rows.next(row);) all.push_back(row);
+  return all;
+}
+
+std::vector<Row> rows_of(const std::vector<Row>& rows, std::int64_t engine, RowKind kind = RowKind::sample) {
+  std::vector<Row> its;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(its),
+               [&](const Row& r) { return r.a.unit == engine && r.kind() == kind; });
+  return its;
+}
+
+template <class Values, class Wire>
+bool same_bits(const Values& values, const Wire& wire, std::size_t count) {
+  return std::memcmp(values.data(), wire.data(), count * sizeof(double)) == 0;
+}
+
+class RecordTest : public PairTest {
+ protected:
+  std::unique_ptr<Process> record(const std::string& name, std::vector<std::string> flags = {}) {
+    flags.insert(flags.end(), {"--record", folder_.path(name), "--monitor-status-period-s", "0.1"});
+    return start_monitor(flags);
+  }
+  /// Runs a program to its end, which must be good; returns what it said. We listen meanwhile, to lose nothing.
+  std::string run(const std::vector<std::string>& arguments) {
+    Process process(arguments);
+    EXPECT_TRUE(listener_.await([&] { return !process.running(); }, seconds(30)));
+    EXPECT_EQ(process.wait(seconds(1)), 0) << process.log();
+    return process.log();
+  }
+  std::string offline(const std::string& in, const std::string& out, const std::vector<std::string>& flags = {}) {
+    std::vector<std::string> arguments{monitor_program(), "--monitor-design", design_file(),
+                                       "--offline",       folder_.path(in),   "--out",
+                                       folder_.path(out)};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    return run(arguments);
+  }
+  /// A flight at rate max in which a sensor fails and comes back and a component wears at once.
+  void fly(const std::string& duration_s) {
+    const auto simulator = start_simulator({"--run-duration-s", duration_s, "--rate", "max"}, scenario_);
+    ASSERT_TRUE(listener_.await([&] { return !simulator->running(); }, seconds(40)));
+    ASSERT_EQ(simulator->wait(seconds(1)), 0);
+  }
+  bool await_received(std::uint32_t engine, std::uint64_t samples) {
+    return listener_.await([&] {
+      return std::any_of(listener_.status.begin(), listener_.status.end(), [&](const MonitorStatus& s) {
+        return s.engine_id() == engine && s.samples_received() == samples;
+      });
+    });
+  }
+  void stop(Process& monitor) {
+    monitor.signal(SIGTERM);
+    ASSERT_EQ(monitor.wait(seconds(10)), 0);
+  }
+
+  TemporaryFolder folder_;
+  std::string scenario_ = folder_.file("scenario.toml",
+                                       "[[sensor_fault]]\nsensor = \"T30\"\nkind = \"dropout\"\ntime_s = 10\n"
+                                       "duration_s = 4\n[[health_change]]\ntime_s = 25\n"
+                                       "parameter = \"hpc_efficiency\"\nchange = -0.02\n");
+};
+
+TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalToTheBit) {
+  auto monitor = record("online.h5");
+  fly("45");
+  ASSERT_TRUE(await_received(1, 3000));
+  stop(*monitor);
+
+  const auto online = read_rows(folder_.path("online.h5"));
+  const auto samples = rows_of(online, 1);
+  ASSERT_EQ(samples.size(), 3000u);
+  ASSERT_EQ(listener_.health.size(), 3000u);
+  ASSERT_EQ(listener_.auxiliary.size(), 3000u);
+  int degraded = 0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const EngineHealth& health = listener_.health[k];
+    const EngineAuxiliary& auxiliary = listener_.auxiliary[k];
+    ASSERT_EQ(samples[k].a.sequence, static_cast<std::int64_t>(health.sequence_number()));
+    ASSERT_TRUE(same_bits(samples[k].x_s, listener_.sensors[k].sensor(), listener_.sensors[k].sensor_count()));
+    ASSERT_TRUE(same_bits(samples[k].t, health.health(), health.health_count())) << k;
+    ASSERT_TRUE(same_bits(samples[k].t_sigma, health.sigma_total(), health.health_count())) << k;
+    ASSERT_TRUE(same_bits(samples[k].t_sigma_filter, health.sigma_filter(), health.health_count())) << k;
+    ASSERT_TRUE(same_bits(samples[k].x_v, auxiliary.auxiliary(), auxiliary.auxiliary_count())) << k;
+    ASSERT_TRUE(same_bits(samples[k].x_v_sigma, auxiliary.sigma_total(), auxiliary.auxiliary_count())) << k;
+    ASSERT_EQ(samples[k].a.flags, static_cast<std::int64_t>(health.flags())) << k;
+    ASSERT_EQ(samples[k].a.sensors_used, static_cast<std::int64_t>(health.sensors_used())) << k;
+    degraded += (health.flags() & wire::estimate_flag::degraded) != 0;
+  }
+  EXPECT_GT(degraded, 100);  // the fault was there
+
+  EXPECT_THAT(offline("online.h5", "offline.h5"),
+              HasSubstr("estimates of the input: 3000 identical to the bit, 0 different"));
+  const auto offline_samples = rows_of(read_rows(folder_.path("offline.h5")), 1);
+  ASSERT_EQ(offline_samples.size(), 3000u);
+
+  monitor = record("replayed.h5");
+  const std::string said = run({simulator_program(), "--replay", folder_.path("online.h5"), "--rate", "max",
+                                "--dds-domain", std::to_string(domain_), "--run-wait-for-monitors", "2"});
+  EXPECT_THAT(said, HasSubstr("3000 samples of 1 engine(s) published, 0 refused"));
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() == 6000u; }));
+  stop(*monitor);
+  const auto replayed = rows_of(read_rows(folder_.path("replayed.h5")), 1);
+  ASSERT_EQ(replayed.size(), 3000u);
+  for (std::size_t k = 0; k < replayed.size(); ++k) {
+    for (const Row* other : {&replayed[k], &offline_samples[k]}) {
+      ASSERT_EQ(other->a.source_time_ns, samples[k].a.source_time_ns);
+      ASSERT_TRUE(same_bits(other->t, samples[k].t, other->t.size())) << k;
+      ASSERT_TRUE(same_bits(other->t_sigma, samples[k].t_sigma, other->t.size())) << k;
+      ASSERT_TRUE(same_bits(other->innovation, samples[k].innovation, other->innovation.size())) << k;
+      ASSERT_EQ(other->a.flags, samples[k].a.flags) << k;
+    }
+  }
+}
+
+TEST_F(RecordTest, BadSamplesResetsSilenceAndASecondSourceAreRepeatedOffline) {
+  auto monitor = record("online.h5");
+  EngineSamples samples(design_file(), 5);
+  wire::Writer<EngineSensors> writer(participant_);
+  wire::Writer<MonitorCommand> commands(participant_);
+  ASSERT_TRUE(listener_.await([&] { return writer.matched() == 2 && commands.matched() == 1; }));
+  std::uint64_t sent = 0;
+  const auto send = [&](const EngineSensors& sample) {
+    writer.write(sample);
+    ++sent;
+  };
+  for (int k = 0; k < 100; ++k) send(samples.next());
+  EngineSensors bad = samples.next();
+  bad.sensor()[2] = std::numeric_limits<double>::quiet_NaN();
+  send(bad);
+  send(bad);  // a duplicate
+  const EngineSensors late = samples.next();
+  send(samples.next());
+  send(late);
+  bad = samples.next();
+  bad.sensor_count(99);
+  send(bad);
+  bad = samples.next();
+  bad.source_id(10);  // a second source, while the first is there
+  send(bad);
+  for (int k = 0; k < 20; ++k) send(samples.next());
+  ASSERT_TRUE(await_received(5, sent));
+
+  MonitorCommand reset;
+  reset.engine_id(5);
+  reset.schema(wire::schema_version);
+  reset.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+  commands.write(reset);
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }));
+  for (int k = 0; k < 50; ++k) send(samples.next());
+  ASSERT_TRUE(await_received(5, sent));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::input_lost, true); }));
+  samples.set_source(10);  // takes over, now that the first is silent
+  for (int k = 0; k < 50; ++k) send(samples.next());
+  ASSERT_TRUE(await_received(5, sent));
+  stop(*monitor);
+
+  const auto rows = read_rows(folder_.path("online.h5"));
+  const auto recorded = rows_of(rows, 5);
+  ASSERT_EQ(recorded.size(), sent);
+  EXPECT_EQ(rows_of(rows, 5, RowKind::reset).size(), 1u);
+  EXPECT_GE(rows_of(rows, 5, RowKind::input_lost).size(), 1u);
+  const auto dropped = std::count_if(recorded.begin(), recorded.end(), [](const Row& r) { return r.a.accepted == 0; });
+  EXPECT_EQ(dropped, 4);  // duplicate, overtaken, malformed, foreign
+  EXPECT_EQ(recorded[104].a.sensor_count, 99);
+  EXPECT_EQ(recorded.back().a.source_id, 10);
+  EXPECT_EQ(recorded.back().a.accepted, 1);
+  EXPECT_THAT(offline("online.h5", "offline.h5"), HasSubstr(" identical to the bit, 0 different"));
+  const auto again = rows_of(read_rows(folder_.path("offline.h5")), 5);
+  ASSERT_EQ(again.size(), recorded.size());
+  for (std::size_t k = 0; k < again.size(); ++k) ASSERT_EQ(again[k].a.accepted, recorded[k].a.accepted) << k;
+}
+
+TEST_F(RecordTest, AKilledMonitorLeavesAReadableRecordingAndTheNextGoesOnBesideIt) {
+  auto monitor = record("killed.h5");
+  fly("45");
+  ASSERT_TRUE(await_received(1, 3000));
+  // Whole chunks of 64 rows reach the file within half a second.
+  const auto rows_readable = [&] {
+    try {
+      return read_rows(folder_.path("killed.h5")).size();
+    } catch (const std::exception&) {
+      return std::size_t{0};  // it is just being created
+    }
+  };
+  ASSERT_TRUE(listener_.await([&] { return rows_readable() >= 3000u / 64 * 64; }));
+  monitor->signal(SIGKILL);
+  ASSERT_EQ(monitor->wait(seconds(5)), 128 + SIGKILL);
+  EXPECT_THAT(offline("killed.h5", "offline.h5"), HasSubstr(" identical to the bit, 0 different"));
+  EXPECT_THAT(run({"/usr/bin/python3", EHM_SOURCE_DIR "/tests/integration/recording/read_recording.py",
+                   folder_.path("killed.h5")}),
+              HasSubstr("T30"));
+
+  monitor = record("killed.h5");
+  ASSERT_TRUE(listener_.await([&] { return std::filesystem::exists(folder_.path("killed.0002.h5")); }));
+  fly("1.5");
+  stop(*monitor);
+  EXPECT_EQ(rows_of(read_rows(folder_.path("killed.0002.h5")), 1).size(), 100u);
+  EXPECT_THAT(run({"/usr/bin/python3", EHM_SOURCE_DIR "/tests/integration/recording/read_recording.py",
+                   folder_.path("killed.0002.h5")}),
+              HasSubstr("engines: [1]"));
+}
+
+TEST_F(RecordTest, AFullDiskEndsTheRecordingAndNotTheMonitor) {
+  // A limit on the size of files stands for the full disk; 200 blocks of 1024 bytes.
+  const Process monitor({"/bin/bash", "-c",
+                         "trap '' XFSZ; ulimit -f 200; exec '" + monitor_program() + "' --monitor-design '" +
+                             design_file() + "' --dds-domain " + std::to_string(domain_) +
+                             " --monitor-status-period-s 0.1 --record '" + folder_.path("full.h5") + "'"});
+  fly("60");
+  ASSERT_TRUE(listener_.await([&] {
+    return listener_.status.back().records_lost() > 0 && listener_.has_event(wire::EventKind::recording, true);
+  }));
+  EXPECT_EQ(listener_.health.size(), 4000u);  // the estimates went on
+  EXPECT_THAT(monitor.log(), HasSubstr("recording has ended: " + folder_.path("full.h5")));
+}
+
+/// A table of the flight's samples as somebody else would write it, in his units, and the map that reads it.
+class CsvTest : public RecordTest {
+ protected:
+  std::string csv(const std::vector<Row>& samples, const recording::Channels& channels) {
+    std::string text = "engine,time_s,altitude_m,mach,delta_isa_k";
+    for (const auto& channel : channels.actuators) text += "," + channel.name;
+    for (const auto& channel : channels.sensors) text += "," + channel.name;
+    for (const Row& row : samples) {
+      text += "\n1," + files::shortest(1e-9 * static_cast<double>(row.a.source_time_ns - samples[0].a.source_time_ns));
+      for (std::size_t i = 0; i < 3 + channels.actuators.size(); ++i) text += "," + files::shortest(row.w[i]);
+      for (std::size_t i = 0; i < channels.sensors.size(); ++i)
+        text += "," + (row.a.sensor_valid >> i & 1 ? files::shortest(row.x_s[i]) : std::string("nan"));
+    }
+    return folder_.file("flight.csv", text + "\n");
+  }
+  std::string map(const recording::Channels& channels) {
+    std::string text = "[file]\nseparator = \"comma\"\nheader = true\nengine_id_column = 1\ntime_column = \"time_s\"\n";
+    const auto add = [&](const std::string& table, const std::string& name) {
+      text += "[[" + table + "]]\nname = \"" + name + "\"\ncolumn = \"" + name + "\"\n";
+    };
+    for (const char* name : {"altitude_m", "mach", "delta_isa_k"}) add("flight", name);
+    for (const auto& channel : channels.actuators) add("actuator", channel.name);
+    for (const auto& channel : channels.sensors) add("sensor", channel.name);
+    return folder_.file("map.toml", text);
+  }
+};
+
+TEST_F(CsvTest, ACsvFileGivesTheEstimatesOfTheFlightThatItHolds) {
+  auto monitor = record("online.h5");
+  fly("15");
+  ASSERT_TRUE(await_received(1, 1000));
+  stop(*monitor);
+  const auto channels = recording::RecordingRows(folder_.path("online.h5")).info().channels;
+  const auto samples = rows_of(read_rows(folder_.path("online.h5")), 1);
+  csv(samples, channels);
+  const std::string map_file = map(channels);
+  EXPECT_THAT(offline("flight.csv", "offline.h5", {"--column-map", map_file}),
+              HasSubstr("1000 samples, 1000 with estimates"));
+  const auto again = rows_of(read_rows(folder_.path("offline.h5")), 1);
+  ASSERT_EQ(again.size(), samples.size());
+  for (std::size_t k = 0; k < again.size(); ++k) {
+    ASSERT_TRUE(same_bits(again[k].t, samples[k].t, again[k].t.size())) << k;
+    ASSERT_TRUE(same_bits(again[k].t_sigma, samples[k].t_sigma, again[k].t.size())) << k;
+  }
+
+  monitor = record("replayed.h5");
+  const std::string said =
+      run({simulator_program(), "--replay", folder_.path("flight.csv"), "--column-map", map_file, "--rate", "max",
+           "--dds-domain", std::to_string(domain_), "--run-wait-for-monitors", "2"});
+  EXPECT_THAT(said, HasSubstr("1000 samples of 1 engine(s) published"));
+  ASSERT_TRUE(await_received(1, 1000));
+  stop(*monitor);
+  const auto replayed = rows_of(read_rows(folder_.path("replayed.h5")), 1);
+  ASSERT_EQ(replayed.size(), samples.size());
+  EXPECT_TRUE(same_bits(replayed.back().t, samples.back().t, samples.back().t.size()));
+}
+
+TEST_F(RecordTest, WhatCannotBeReadOrWrittenIsNamedBeforeAnythingStarts) {
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& message) {
+    Process process(arguments);
+    EXPECT_EQ(process.wait(seconds(20)), 2) << process.log();
+    EXPECT_THAT(process.log(), HasSubstr(message));
+  };
+  const std::vector<std::string> monitor{monitor_program(), "--monitor-design", design_file()};
+  const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  const std::string text = folder_.file("text.csv", "1 2 3\n"), out = folder_.path("out.h5");
+  refused(with(monitor, {"--offline", "nowhere.h5", "--out", out}), "nowhere.h5: no such file");
+  refused(with(monitor, {"--offline", text, "--out", out}), "text.csv: cannot read this as a recording");
+  refused(with(monitor, {"--offline", text}), "'offline.file' and 'offline.out' need each other");
+  refused(with(monitor, {"--record", folder_.path("no/such/x.h5")}), "x.h5: cannot create the recording");
+  refused(with(monitor, {"--record-max-mb", "0"}), "'record.max_mb' is 0, allowed is a whole number from 1");
+  refused({simulator_program(), "--replay", "nowhere.h5"}, "nowhere.h5: no such file");
+  refused({simulator_program(), "--replay", text, "--column-map", "nowhere.toml"}, "nowhere.toml: no such file");
+  const std::string map =
+      folder_.file("map.toml",
+                   "[file]\nseparator = \"blank\"\nheader = false\nengine_id_column = 1\nsample_time_s = 0.015\n"
+                   "[[flight]]\nname = \"altitude_m\"\nvalue = 0\n[[flight]]\nname = \"mach\"\nvalue = 0\n"
+                   "[[flight]]\nname = \"delta_isa_k\"\nvalue = 0\n[[actuator]]\nname = \"fuel_flow\"\ncolumn = 2\n"
+                   "[[sensor]]\nname = \"T24\"\ncolumn = 3\n");
+  refused(with(monitor, {"--offline", text, "--column-map", map, "--out", out}),
+          "has the actuators fuel_flow, the design needs fuel_flow, VSV, VBV");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+}  // namespace

@@ -1,0 +1,107 @@
+#include "deploy/recording/csv_rows.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "deploy/files/file_error.h"
+#include "tests/temporary_folder.h"
+#include "tests/unit/deploy/config_file.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::recording;
+using testing::HasSubstr;
+
+/// unit, time, altitude in 1000 ft, Mach, fuel in lb/s, two temperatures in degree Rankine: as C-MAPSS files are.
+ColumnMap example_map() {
+  ColumnMap map;
+  map.blank_separated = true;
+  map.time_column = std::size_t{2};
+  map.flight = {{"altitude_m", "m", false, 0, std::size_t{3}, 304.8, 0},
+                {"mach", "", false, 0, std::size_t{4}, 1, 0},
+                {"delta_isa_k", "K", true, 2.5, {}, 1, 0}};
+  map.actuators = {{"fuel_flow", "kg/s", false, 0, std::size_t{5}, 0.45359237, 0}};
+  map.sensors = {{"T24", "K", false, 0, std::size_t{6}, 1 / 1.8, 0},
+                 {"T30", "K", false, 0, std::size_t{7}, 1 / 1.8, 0}};
+  return map;
+}
+
+class CsvRowsTest : public testing::Test {
+ protected:
+  std::vector<Row> read(const std::string& text, const ColumnMap& map = example_map()) {
+    CsvRows rows(folder_.file("x.txt", text), map);
+    std::vector<Row> all;
+    for (Row row; rows.next(row);) all.push_back(row);
+    return all;
+  }
+  std::string error_of(const std::string& text, const ColumnMap& map = example_map()) {
+    return test::message_of<files::FileError>([&] { read(text, map); });
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(CsvRowsTest, BlankSeparatedRowsOfSeveralEngines) {
+  const auto rows = read(
+      "1 0.000 35 0.80 2.0 900 1400  \n"
+      "2 5.000 35 0.80 2.0 910 1410\n"
+      "\n"
+      "1 0.015 35 0.81 2.0 nan 1401 unused\n");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].a.unit, 1);
+  EXPECT_EQ(rows[1].a.unit, 2);
+  EXPECT_EQ(rows[1].a.sequence, 0);
+  EXPECT_EQ(rows[1].a.source_time_ns, 5'000'000'000);
+  EXPECT_EQ(rows[2].a.sequence, 1);
+  EXPECT_EQ(rows[2].a.source_time_ns, 15'000'000);
+  EXPECT_EQ(rows[0].w[0], 35 * 304.8);
+  EXPECT_EQ(rows[2].w[1], 0.81);
+  EXPECT_EQ(rows[0].w[2], 2.5);
+  EXPECT_EQ(rows[0].w[3], 2.0 * 0.45359237);
+  EXPECT_DOUBLE_EQ(rows[0].x_s[1], 1400 / 1.8);
+  EXPECT_EQ(rows[0].a.sensor_valid, 0b11);
+  EXPECT_EQ(rows[2].a.sensor_valid, 0b10);  // the missing value
+  EXPECT_TRUE(std::isnan(rows[2].x_s[0]));
+  EXPECT_EQ(rows[0].a.sensor_count, 2);
+  EXPECT_EQ(rows[0].a.actuator_count, 1);
+}
+
+TEST_F(CsvRowsTest, NamedColumnsOfACommaSeparatedFile) {
+  ColumnMap map = example_map();
+  map.blank_separated = false;
+  map.header = true;
+  map.engine_id_constant = true;
+  map.engine_id = 9;
+  map.equidistant = true;
+  map.sample_time_s = 0.02;
+  map.sensors[0].column = std::string("T24 [R]");
+  const auto rows = read("a,b,alt,M,Wf,T24 [R],T30\n0,0,35,0.8,2,900,1400\n0,0,35,0.8,2,,1400\n", map);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].a.unit, 9);
+  EXPECT_EQ(rows[1].a.source_time_ns, 20'000'000);
+  EXPECT_DOUBLE_EQ(rows[0].x_s[0], 900 / 1.8);
+  EXPECT_EQ(rows[1].a.sensor_valid, 0b10);
+  EXPECT_THAT(error_of("a,b,alt,M,Wf,T24,T30\n0,0,35,0.8,2,900,1400\n", map),
+              HasSubstr("x.txt:1: the header has no column 'T24 [R]'"));
+  EXPECT_THAT(error_of("a,b,alt,M,Wf,T24 [R],T30\n", map), HasSubstr("x.txt: has no row below its header"));
+}
+
+TEST_F(CsvRowsTest, MistakesAreNamedWithLineColumnAndValue) {
+  const std::string good = "1 0 35 0.8 2 900 1400\n";
+  EXPECT_THAT(error_of(good + "1 1 35 0.8 2 900\n"), HasSubstr("x.txt:2: 6 cells, the column map needs 7"));
+  EXPECT_THAT(error_of(good + "1 1 35 0.8x 2 900 1400\n"),
+              HasSubstr("x.txt:2: column 4 is '0.8x', allowed is a number"));
+  EXPECT_THAT(error_of(good + "1 1 nan 0.8 2 900 1400\n"),
+              HasSubstr("x.txt:2: column 3 is 'nan', allowed is a number"));
+  EXPECT_THAT(error_of(good + "1 1 35 0.8 2 hot 1400\n"), HasSubstr("column 6 is 'hot', allowed is a number, or nan"));
+  EXPECT_THAT(error_of("0 0 35 0.8 2 900 1400\n"), HasSubstr("column 1 is '0', allowed is an engine id"));
+  EXPECT_THAT(error_of("1.5 0 35 0.8 2 900 1400\n"), HasSubstr("column 1 is '1.5'"));
+  EXPECT_THAT(error_of("1 1e10 35 0.8 2 900 1400\n"), HasSubstr("column 2 is '1e10', allowed is a time within 9e9 s"));
+  EXPECT_THAT(error_of(good + good), HasSubstr("x.txt:2: column 2 is '0', allowed is a later time"));
+  EXPECT_THAT(error_of(""), HasSubstr("x.txt: has no row"));
+  EXPECT_THAT(test::message_of<files::FileError>([] { CsvRows("nowhere.txt", example_map()); }),
+              HasSubstr("nowhere.txt: cannot be read"));
+}
+
+}  // namespace

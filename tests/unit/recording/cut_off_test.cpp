@@ -1,0 +1,106 @@
+// A recording is readable up to its last commit, whenever its writer dies: a child process writes and is killed.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <random>
+
+#include "deploy/recording/file_reader.h"
+#include "tests/temporary_folder.h"
+#include "tests/unit/recording/example_rows.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::recording;
+using test::example_row;
+
+/// Writes without end, and tells through the pipe how many rows are committed.
+[[noreturn]] void write_until_killed(const std::string& path, int pipe) {
+  Writer writer(path, test::example_info());
+  for (std::int64_t k = 0;; ++k) {
+    writer.append(example_row(k), 0);
+    if (k % 100 != 99) continue;
+    writer.commit(k % 1000 == 999);
+    const std::uint64_t rows = writer.rows();
+    if (write(pipe, &rows, sizeof rows) != sizeof rows) _exit(1);
+  }
+}
+
+class ChildWriter {
+ public:
+  explicit ChildWriter(const std::string& path) {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+    child_ = fork();
+    if (child_ == 0) write_until_killed(path, ends[1]);
+    close(ends[1]);
+    reading_end_ = ends[0];
+  }
+  ~ChildWriter() {
+    kill_it();
+    close(reading_end_);
+  }
+  ChildWriter(const ChildWriter&) = delete;
+  ChildWriter& operator=(const ChildWriter&) = delete;
+
+  /// Rows that are committed after so many more commits.
+  std::uint64_t await_commits(int commits) {
+    for (int i = 0; i < commits; ++i)
+      if (read(reading_end_, &rows_, sizeof rows_) != sizeof rows_) throw std::runtime_error("the writer has died");
+    return rows_;
+  }
+  /// Rows that were committed before it died.
+  std::uint64_t kill_it() {
+    if (child_ < 0) return rows_;
+    kill(child_, SIGKILL);
+    waitpid(child_, nullptr, 0);
+    child_ = -1;
+    for (std::uint64_t more = 0; read(reading_end_, &more, sizeof more) == sizeof more;) rows_ = more;
+    return rows_;
+  }
+
+ private:
+  pid_t child_ = -1;
+  int reading_end_ = -1;
+  std::uint64_t rows_ = 0;
+};
+
+/// Rows of an unfinished file, each checked.
+std::uint64_t readable_rows(const std::string& path) {
+  FileReader reader(path);
+  EXPECT_TRUE(reader.unfinished());
+  std::uint64_t rows = 0;
+  for (Row row; reader.next(row); ++rows) {
+    const Row expected = example_row(row.a.sequence);
+    EXPECT_EQ(row.a.sequence, static_cast<std::int64_t>(rows));
+    EXPECT_EQ(row.t_sigma_filter[2], expected.t_sigma_filter[2]);
+    EXPECT_EQ(row.w[0], expected.w[0]);
+    if (testing::Test::HasFailure()) break;
+  }
+  return rows;
+}
+
+TEST(CutOff, EveryCommittedRowIsReadableWheneverTheWriterDies) {
+  const test::TemporaryFolder folder;
+  std::mt19937 random(1);
+  for (int kills = 0; kills < 40; ++kills) {
+    const std::string path = folder.path("cut" + std::to_string(kills) + ".h5");
+    ChildWriter writer(path);
+    writer.await_commits(1 + static_cast<int>(random() % 20));
+    usleep(static_cast<useconds_t>(random() % 3000));  // any moment within the next commits will do
+    const std::uint64_t committed = writer.kill_it();
+    EXPECT_GE(readable_rows(path), committed) << kills;
+  }
+}
+
+TEST(CutOff, AGrowingRecordingIsReadableWhileItIsWritten) {
+  const test::TemporaryFolder folder;
+  ChildWriter writer(folder.path("a.h5"));
+  const std::uint64_t committed = writer.await_commits(3);
+  EXPECT_GE(readable_rows(folder.path("a.h5")), committed);
+}
+
+}  // namespace

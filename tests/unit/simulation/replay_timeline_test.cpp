@@ -1,0 +1,45 @@
+#include "engine_sim/replay/replay_timeline.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace ehm;
+
+constexpr std::int64_t ms = 1'000'000, s = 1'000'000'000;
+
+recording::Row row(std::int64_t engine, std::int64_t source_time_ns, std::int64_t received_ns) {
+  recording::Row r;
+  r.a.unit = engine;
+  r.a.source_time_ns = source_time_ns;
+  r.a.received_ns = received_ns;
+  return r;
+}
+
+TEST(ReplayTimeline, FollowsTheSourceClockHoweverFastItWasRecorded) {
+  engine::ReplayTimeline timeline;
+  EXPECT_EQ(timeline.due_ns(row(1, 100 * s, 5 * s)), 0);
+  EXPECT_EQ(timeline.due_ns(row(1, 100 * s + 15 * ms, 5 * s + ms)), 15 * ms);
+  EXPECT_EQ(timeline.due_ns(row(1, 100 * s + 45 * ms, 5 * s + 2 * ms)), 45 * ms);  // one was lost
+}
+
+TEST(ReplayTimeline, AClockThatStandsStepsOrJumpsYieldsToTheReceptions) {
+  engine::ReplayTimeline timeline;
+  timeline.due_ns(row(1, 100 * s, 5 * s));
+  EXPECT_EQ(timeline.due_ns(row(1, 100 * s, 5 * s + 10 * ms)), 10 * ms);              // a duplicate
+  EXPECT_EQ(timeline.due_ns(row(1, 20 * s, 5 * s + 30 * ms)), 30 * ms);               // set back
+  EXPECT_EQ(timeline.due_ns(row(1, 9000 * s, 5 * s + 3030 * ms)), 3030 * ms);         // a pause
+  EXPECT_EQ(timeline.due_ns(row(1, 9000 * s + 15 * ms, 5 * s + 9 * ms)), 3045 * ms);  // and on
+  EXPECT_EQ(timeline.due_ns(row(1, 9000 * s + 15 * ms, 5 * s)), 3045 * ms);           // never back
+}
+
+TEST(ReplayTimeline, EnginesKeepTheirOrder) {
+  engine::ReplayTimeline timeline;
+  timeline.due_ns(row(1, 100 * s, 5 * s));
+  EXPECT_EQ(timeline.due_ns(row(2, 7 * s, 5 * s + 5 * ms)), 5 * ms);
+  EXPECT_EQ(timeline.due_ns(row(1, 100 * s + 15 * ms, 5 * s + 15 * ms)), 15 * ms);
+  EXPECT_EQ(timeline.due_ns(row(2, 7 * s + 15 * ms, 5 * s + 20 * ms)), 20 * ms);
+  EXPECT_EQ(timeline.due_ns(row(1, 100 * s + 16 * ms, 5 * s + 30 * ms)), 20 * ms);  // due before, sent after
+}
+
+}  // namespace
