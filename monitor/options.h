@@ -44,6 +44,7 @@ struct FaultOptions {
   double wrong_name_probability = 1e-3;  ///< of sensor against component, sensor against sensor
   double signature_error = 0.1;          ///< share of the evidence that a wrong model may turn
   double slow_bias_probability = 1e-6;   ///< per engine of the fleet, that wear alone looks like a slow bias
+  friend bool operator==(const FaultOptions&, const FaultOptions&) = default;
 };
 
 /// Raised when the estimate leaves [min, max]; cleared when it is back inside by `hysteresis`.
