@@ -195,9 +195,9 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   report.status.status_time_ns(wall_clock_ns());
   report.status.unknown_engine_samples(unknown_engine_samples_);
   report.status.reports_lost(reports_.overflow());
+  report.status.records_lost(records_ ? records_->lost() : 0);
   report.status.reloads(exchange_.reloads.load(std::memory_order_relaxed));
   report.status.reloads_refused(exchange_.refused.load(std::memory_order_relaxed));
-  report.status.records_lost(records_ ? records_->lost() : 0);
   if (checkpoints_) {
     report.status.checkpoints_written(checkpoints_->writer().written());
     report.status.checkpoints_failed(checkpoints_->writer().failed());
