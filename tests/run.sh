@@ -32,9 +32,14 @@ if [ "$full" = yes ]; then
   export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp history_size=7"
   sanitized tsan thread -R 'SpscQueue|FlightTest|BadSamplesTest'
   EHM_BUILD_DIR=$build deploy/demo.sh --seconds 30
+  EHM_BUILD_DIR=$build tests/fuzz/fuzz.sh --jobs 2
   export EHM_CONTROL_SEQUENCES=1000
 fi
 
 EHM_CMAKE_ARGS=-DEHM_WERROR=ON deploy/build.sh "$build"
 if [ "$full" = yes ]; then tests/packages/packages.sh "$build" || [ $? -eq 77 ]; fi
+if [ "$full" = yes ]; then
+  ctest --test-dir "$build" -R '^integration.(linearise|design)$'
+  tests/fleet/namespaces.sh "$build" "$build/tests/integration/design.json" || [ $? -eq 77 ]
+fi
 ctest --test-dir "$build" --output-on-failure -j2

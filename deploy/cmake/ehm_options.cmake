@@ -10,6 +10,12 @@ if(EHM_SANITIZE)
   add_link_options(-fsanitize=${EHM_SANITIZE})
 endif()
 
+# For tests/fuzz: clang's coverage for libFuzzer, and the sanitizers that make a broken promise visible.
+if(EHM_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
 # ehm_library(name SOURCES a.cpp ... DEPENDS lib ...): a static library whose headers are included from the project's root.
 function(ehm_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})

@@ -124,6 +124,7 @@ void see_also(std::ostream& out, const std::string& program) {
 
 std::string man_page(const ManPage& page) {
   const CLI::App& app = *page.app;
+  const CLI::App& with_commands = page.commands ? *page.commands : app;
   const std::string name = app.get_name();
   std::ostringstream out;
   out << ".TH " << name << ' ' << (page.schema ? 8 : 1) << " \"\" \"" << name << ' ' << EHM_VERSION
@@ -132,11 +133,13 @@ std::string man_page(const ManPage& page) {
       << ".SH NAME\n"
       << name << " \\- " << roff(name_line(app)) << '\n'
       << ".SH SYNOPSIS\n"
-      << bold(name) << (page.schema ? " [OPTIONS]\n" : " [OPTIONS] [COMMAND [OPTIONS]]\n") << ".SH DESCRIPTION\n";
+      << bold(name) << " [OPTIONS]\n";
+  if (!subcommands(with_commands, false).empty()) out << ".br\n" << bold(name) << " COMMAND [OPTIONS]\n";
+  out << ".SH DESCRIPTION\n";
   paragraph(out, app.get_description());
   out << ".SH OPTIONS\n";
   options(out, app, false);
-  commands(out, page.commands ? *page.commands : app);
+  commands(out, with_commands);
   if (page.schema) configuration(out, *page.schema);
   out << ".SH EXIT STATUS\n";
   paragraph(out, app.get_footer());

@@ -17,6 +17,7 @@
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
+#include "idl/dds/security.h"
 #include "idl/wire_values.h"
 
 namespace {
@@ -141,6 +142,13 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+  }
+
+  try {
+    wire::check_security(options.security);
+  } catch (const wire::DdsError& e) {
+    std::cerr << "ehm_watch: " << e.what() << '\n';
+    return service::exit_usage;
   }
 
   try {

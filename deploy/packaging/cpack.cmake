@@ -40,6 +40,7 @@ set(CPACK_COMPONENT_TOOLS_DESCRIPTION "bench and display of the engine health mo
 Makes the design file that the monitor loads from an engine's linear model
 (tuner_design), and shows truth beside estimate while the pair runs
 (ehm_watch).")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS openssl)
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME ehm-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)

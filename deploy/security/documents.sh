@@ -86,6 +86,8 @@ END
 }
 
 # Nobody without identity joins, discovery tells outsiders nothing, every topic is under access control.
+# Protection is per topic, with a key for each writer. Not per RTPS message: every participant would hold that key, and
+# signing there lets a forged length make Fast DDS 2.9.1 read far beyond the datagram (deploy/docs/security.md).
 governance() {
   local protection=SIGN
   [[ $1 == *protection=encrypt* ]] && protection=ENCRYPT
@@ -99,7 +101,7 @@ governance() {
       <enable_join_access_control>true</enable_join_access_control>
       <discovery_protection_kind>ENCRYPT</discovery_protection_kind>
       <liveliness_protection_kind>SIGN</liveliness_protection_kind>
-      <rtps_protection_kind>SIGN</rtps_protection_kind>
+      <rtps_protection_kind>NONE</rtps_protection_kind>
       <topic_access_rules>
         <topic_rule>
           <topic_expression>*</topic_expression>

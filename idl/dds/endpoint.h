@@ -6,6 +6,7 @@
 
 #include <atomic>
 
+#include "idl/dds/guarded_type.h"
 #include "idl/dds/participant.h"
 
 namespace ehm::wire {
@@ -14,8 +15,8 @@ template <class T>
 class Writer : private eprosima::fastdds::dds::DataWriterListener {
  public:
   explicit Writer(Participant& participant) : participant_(participant) {
-    auto* topic =
-        participant.topic(Topic<T>::name, eprosima::fastdds::dds::TypeSupport(new typename Topic<T>::PubSubType()));
+    auto* topic = participant.topic(
+        Topic<T>::name, eprosima::fastdds::dds::TypeSupport(new GuardedType<typename Topic<T>::PubSubType>()));
     writer_ = participant.publisher()->create_datawriter(
         topic, writer_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy), this);
     if (!writer_) throw participant.refused("writer", Topic<T>::name);
@@ -56,8 +57,8 @@ template <class T>
 class Reader : private eprosima::fastdds::dds::DataReaderListener {
  public:
   explicit Reader(Participant& participant) : participant_(participant) {
-    auto* topic =
-        participant.topic(Topic<T>::name, eprosima::fastdds::dds::TypeSupport(new typename Topic<T>::PubSubType()));
+    auto* topic = participant.topic(
+        Topic<T>::name, eprosima::fastdds::dds::TypeSupport(new GuardedType<typename Topic<T>::PubSubType>()));
     // Data wakes the WaitSet, not the listener: the listener only hears of matching.
     auto mask = eprosima::fastdds::dds::StatusMask::none();
     mask << eprosima::fastdds::dds::StatusMask::subscription_matched()

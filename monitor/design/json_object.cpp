@@ -35,6 +35,9 @@ Eigen::VectorXd read_numbers(const Json& value, Eigen::Index size, const std::st
   return result;
 }
 
+/// What is computed of the content walks down it level by level, on a stack that ends.
+constexpr int deepest = 64;
+
 /// The library's message without its prefix "[json.exception...] ".
 std::string parser_message(const std::exception& error) {
   const std::string text = error.what();
@@ -64,7 +67,10 @@ Json parse_json_file(const std::string& file) {
 Json parse_json_text(const std::string& text, const std::string& file) {
   std::vector<std::set<std::string>> open_objects;
   std::string repeated;
-  const auto note_keys = [&](int, Json::parse_event_t event, Json& parsed) {
+  const auto note_keys = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth > deepest)
+      throw FileError(file + ": is nested deeper than " + std::to_string(deepest) +
+                      " levels, which no file of ours is. Write it again.");
     if (event == Json::parse_event_t::object_start) open_objects.emplace_back();
     if (event == Json::parse_event_t::object_end) open_objects.pop_back();
     if (event == Json::parse_event_t::key && !open_objects.back().insert(parsed.get<std::string>()).second &&

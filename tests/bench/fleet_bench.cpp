@@ -2,7 +2,7 @@
 // subscriber of the estimates. Prints loss, latency, processor time per engine and its linear fit; --largest then
 // doubles and bisects up to the largest fleet without loss and with its p99 within one period.
 //
-// Usage: fleet_bench --design FILE [--sizes 1,10,50] [--seconds 10] [--largest] [--domain 45]
+// Usage: fleet_bench --design FILE [--sizes 1,10,50] [--seconds 10] [--largest] [--loss-only] [--domain 45]
 // Exit:  0 no loss in the sizes asked for and p99 within 3 ms, 1 not, 2 wrong usage
 
 #include <fmt/format.h>
@@ -67,12 +67,13 @@ std::uint32_t largest(const FleetOptions& options, std::uint32_t carried) {
 int main(int argc, char** argv) {
   FleetOptions options;
   std::vector<std::uint32_t> sizes{1, 10, 50};
-  bool find_largest = false;
+  bool find_largest = false, loss_only = false;
   CLI::App app{"How many engines one monitor serves"};
   app.add_option("--design", options.design, "design file of the monitor")->required()->check(CLI::ExistingFile);
   app.add_option("--sizes", sizes, "engines of each run")->delimiter(',')->check(CLI::Range(1u, most_engines));
   app.add_option("--seconds", options.seconds, "of each run")->check(CLI::Range(1.0, 86400.0));
   app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 232));
+  app.add_flag("--loss-only", loss_only, "judge loss, not latency: for a machine that does other work too");
   app.add_flag("--largest", find_largest, "look for the largest fleet that this host carries");
   try {
     app.parse(argc, argv);
@@ -86,7 +87,7 @@ int main(int argc, char** argv) {
     bool good = true;
     for (const std::uint32_t engines : sizes) {
       results.push_back(fly_and_print(options, engines));
-      good = good && results.back().lossless() && results.back().p99_us < asked_p99_us;
+      good = good && results.back().lossless() && (loss_only || results.back().p99_us < asked_p99_us);
     }
     print_fit(results);
     if (find_largest)

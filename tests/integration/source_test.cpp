@@ -105,6 +105,46 @@ TEST_F(SourceTest, AWriterThatDoesNotOfferWhatIsAskedForIsExcludedAndThePolicyNa
   EXPECT_EQ(writer.matched(), 1);  // our own listener only
 }
 
+/// Writes messages whose encapsulation is not of any kind, or that end too soon.
+class GarbledType : public EngineSensorsPubSubType {
+ public:
+  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override {
+    const bool done = EngineSensorsPubSubType::serialize(data, payload);
+    if (++count_ % 2 == 0) payload->length = 40;
+    payload->data[0] = static_cast<unsigned char>(count_);
+    return done;
+  }
+
+ private:
+  int count_ = 0;
+};
+
+TEST_F(SourceTest, MessagesThatAreNotOfTheTypeDoNotEndTheMonitor) {
+  auto monitor = start_monitor({"--monitor-status-period-s", "0.1"});
+  const auto simulator = start_simulator();
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 50; }));
+  {
+    wire::Participant stranger(options(domain_));
+    auto* topic = stranger.topic("EngineSensors", eprosima::fastdds::dds::TypeSupport(new GarbledType()));
+    auto* writer = stranger.publisher()->create_datawriter(
+        topic, wire::writer_qos(wire::Delivery::stream, false, wire::Redundancy{}));
+    eprosima::fastdds::dds::PublicationMatchedStatus matched;
+    ASSERT_TRUE(listener_.await([&] {
+      writer->get_publication_matched_status(matched);
+      return matched.current_count == 2;
+    }));
+    EngineSensors sample;
+    sample.engine_id(1);
+    for (int i = 0; i < 600; ++i) writer->write(&sample);  // more than any history holds
+    writer->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(5, 0));
+    stranger.publisher()->delete_datawriter(writer);
+  }
+  const std::size_t estimates = listener_.health.size();
+  EXPECT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 50; })) << monitor->log();
+  EXPECT_TRUE(monitor->running());
+  EXPECT_EQ(status().samples_lost(), 0u);
+}
+
 TEST_F(SourceTest, AFloodOfBadSamplesDoesNotDisturbTheSource) {
   const auto monitor = start_monitor({"--monitor-status-period-s", "0.1"});
   const auto simulator = start_simulator();

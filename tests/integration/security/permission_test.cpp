@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
-#include <csignal>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "tests/integration/security/secured_pair.h"
 
@@ -35,6 +37,22 @@ TEST_F(PermissionTest, AnHonestStackSaysAtOnceWhatIsNotAllowed) {
   Process source({EHM_ENGINE_SIM, "--dds-domain", std::to_string(domain_), "--dds-security", identity("viewer")});
   EXPECT_EQ(source.wait(seconds(20)), 1);
   EXPECT_THAT(source.log(), testing::HasSubstr("no DDS writer on topic 'EngineSensors': the permissions in"));
+}
+
+TEST_F(PermissionTest, NobodyRunsOnWithoutTheFilesThatWereAskedFor) {
+  const std::string domain = std::to_string(domain_);
+  Process source({EHM_ENGINE_SIM, "--dds-domain", domain, "--dds-security", "/nowhere"});
+  EXPECT_EQ(source.wait(seconds(20)), 2);
+  EXPECT_THAT(source.log(), testing::HasSubstr("security file '/nowhere/identity_ca.pem' does not exist"));
+  // The key of one identity beside the certificate of another.
+  const std::string mixed = testing::TempDir() + "ehm-mixed-" + std::to_string(getpid());
+  std::filesystem::copy(identity("monitor"), mixed);
+  std::filesystem::copy_file(identity("viewer") + "/key.pem", mixed + "/key.pem",
+                             std::filesystem::copy_options::overwrite_existing);
+  Process monitor({EHM_MONITOR, "--dds-domain", domain, "--dds-security", mixed, "--monitor-design", EHM_DESIGN_FILE});
+  EXPECT_EQ(monitor.wait(seconds(20)), 1);
+  EXPECT_THAT(monitor.log(), testing::HasSubstr("the security files in '" + mixed + "' are refused"));
+  std::filesystem::remove_all(mixed);
 }
 
 TEST_F(PermissionTest, AViewerMayNotPublishSensors) {

@@ -49,9 +49,11 @@ TEST_F(ManPageTest, OptionsSayTypeDefaultAndNeed) {
 
 TEST_F(ManPageTest, CommandsComeWithTheirOwnOptions) {
   EXPECT_THAT(page(), Not(HasSubstr(".SH COMMANDS")));
+  EXPECT_THAT(page(), HasSubstr(".SH SYNOPSIS\n\\fBflyer\\fR [OPTIONS]\n.SH"));
   CLI::App* land = app_.add_subcommand("land", "Lands it");
   land->add_option("--gear", text_, "which gear");
   land->add_option_group("weather")->add_option("--wind", text_, "from where");
+  EXPECT_THAT(page(), HasSubstr("\n.br\n\\fBflyer\\fR COMMAND [OPTIONS]\n"));
   EXPECT_THAT(page(), HasSubstr(".SH COMMANDS\n.SS land\n.PP\nLands it\n"));
   EXPECT_THAT(page(), HasSubstr("\\fB\\-\\-gear\\fR"));
   EXPECT_THAT(page(), HasSubstr("\\fB\\-\\-wind\\fR"));

@@ -214,6 +214,9 @@ TEST(ModelFile, WhatIsNotJsonIsRefused) {
   EXPECT_THAT(message_for("{\"A\": [[NaN]]}"), HasSubstr("or holds NaN or Infinity; write it again."));
   EXPECT_THAT(message_for("{\"A\": 1e999}"), HasSubstr("is not complete JSON: number overflow parsing '1e999'"));
   EXPECT_THAT(message_for(""), HasSubstr("is not complete JSON"));
+  // Deep enough to end the stack of whoever walks down it.
+  EXPECT_THAT(message_for("{\"A\": " + std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}"),
+              HasSubstr("is nested deeper than 64 levels"));
   EXPECT_EQ(message_for("[1, 2]"), "holds [1,2]; allowed: one JSON object. Write it again.");
   EXPECT_EQ(message_for("{\"name\": \"a\", \"name\": \"b\"}"),
             "key name occurs twice in one object. Remove one of them.");

@@ -1,0 +1,24 @@
+// The simulator's scenario file: refused with a ConfigError, or every value is in its range.
+
+#include "engine_sim/scenario/scenario_file.h"
+#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/require.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ehm;
+  const fuzz::MemoryFile file(data, size);
+  engine::SimConfig config;
+  config::Schema schema;
+  engine::declare(schema, config);
+  try {
+    schema.load(file.path());
+    engine::finish_config(config);
+  } catch (const config::ConfigError& e) {
+    EHM_REQUIRE(e.what()[0] != '\0');
+    return 0;
+  }
+  EHM_REQUIRE(config.rate_factor() >= 0.0);
+  EHM_REQUIRE(config.domain >= 0 && config.domain <= 232);
+  EHM_REQUIRE(!schema.reference().empty());
+  return 0;
+}
