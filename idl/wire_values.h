@@ -28,6 +28,8 @@ inline constexpr std::uint32_t stuck = 1u << 4;
 inline constexpr std::uint32_t innovation_gate = 1u << 5;
 inline constexpr std::uint32_t excluded = 1u << 6;  ///< declared faulty, requalifying
 inline constexpr std::uint32_t withheld = 1u << 7;  ///< no estimate was made: off design, or too few sensors
+inline constexpr std::uint32_t bias = 1u << 8;      ///< named by the fault detector
+inline constexpr std::uint32_t noise = 1u << 9;     ///< named by the fault detector
 }  // namespace reject_reason
 
 enum class DescriptionRole : std::uint32_t { source = 1, monitor = 2 };
@@ -41,9 +43,9 @@ enum class StatusLevel : std::uint32_t {
 };
 
 enum class EventKind : std::uint32_t {
-  sensor_fault = 1,       ///< channel: sensor; value: sample count or ratio, threshold: its limit
-  health_shift = 2,       ///< channel: health parameter; value: change, threshold: what noise explains
-  health_limit = 3,       ///< channel: health parameter; configured threshold
+  sensor_fault = 1,  ///< channel: sensor; value: bias in its unit, factor on its noise, or ratio; threshold: its limit
+  health_shift = 2,  ///< channel: health parameter; value: change, threshold: what noise explains
+  health_limit = 3,  ///< channel: health parameter; configured threshold
   auxiliary_limit = 4,    ///< channel: auxiliary output; configured threshold
   input_lost = 5,         ///< value: age in seconds
   filter_restart = 6,     ///< value: seconds of the jump in time or sequence that caused it

@@ -50,6 +50,18 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
   schema.real("shift.persistence_s", s.persistence_s, 0, 60, "s", "and must last so long");
   schema.real("shift.false_alarm_per_hour", s.false_alarm_per_hour, 1e-9, 100, "1/h",
               "rate at which noise alone may raise a health shift");
+  auto& f = o.faults;
+  schema.real("faults.false_alarm_per_hour", f.false_alarm_per_hour, 1e-9, 100, "1/h",
+              "rate at which noise alone may raise an abrupt fault, all sensors and components together");
+  schema.real("faults.persistence_s", f.persistence_s, 0, 10, "s", "the same answer so long before it is given");
+  schema.real("faults.decide_within_s", f.decide_within_s, 0.1, 60, "s",
+              "without a clear answer for so long the fault is called ambiguous");
+  schema.real("faults.wrong_name_probability", f.wrong_name_probability, 1e-9, 0.4, "",
+              "of calling one sensor another, or a component a sensor; smaller makes more ambiguous");
+  schema.real("faults.signature_error", f.signature_error, 0, 0.9, "",
+              "share of the evidence that the linear model's error may turn; larger makes more ambiguous");
+  schema.real("faults.slow_bias_probability", f.slow_bias_probability, 1e-15, 0.1, "",
+              "that the wear of an engine of the fleet alone looks like a slow bias of a sensor");
 }
 
 void declare_recording(Schema& schema, MonitorConfig& m) {

@@ -56,6 +56,9 @@ Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, dou
   error_.restore((*error_models_)[design], state.error);
   return_gate_.resume(state.return_gate);
   shift_.reset();
+  ungated_.reset();
+  faults_.start(state.missing_sensor,
+                std::max<Eigen::Index>(state.error.remaining, faults_.signatures().settling_samples / 3));
   for (int i = 0; i < sensors_; ++i) {
     const auto s = static_cast<std::size_t>(i);
     if (!state.excluded[s]) continue;

@@ -13,6 +13,12 @@ using wire::StatusLevel;
 
 namespace {
 constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
+// Redundant monitors: who returns, or was held up, first lets the other one become the incumbent
+// (redundancy/peer_watch.h).
+constexpr std::int64_t quiet_ns = 500'000'000;
+constexpr auto longest_turn_ns = static_cast<std::int64_t>(0.75e9 * wire::redundant_lease_s);
+constexpr double leaving_wait_s = 0.002;  // while the pause between two samples is looked for
+constexpr std::int64_t longest_release_ns = 100'000'000;
 // The engines are looked through so often, not at each sample: with N engines that would be N^2 looks a sample time.
 constexpr std::int64_t watch_period_ns = 5'000'000;
 constexpr int most_samples_a_turn = 1024;  // so that an overload starves neither commands nor the watch
@@ -25,12 +31,14 @@ constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that mus
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
-                         ReportQueue& reports, CheckpointKeeper* checkpoints, RecordFeed* records)
+                         ReportQueue& reports, CheckpointKeeper* checkpoints, RecordFeed* records,
+                         TableExchange& exchange)
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
       start_ns_(monotonic_ns()),
-      engines_(engines),
+      engines_(&engines),
+      exchange_(exchange),
       reports_(reports),
       checkpoints_(checkpoints),
       records_(records),
@@ -42,12 +50,17 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(commands_.condition());
   triggered_.reserve(2);
+  if (participant.options().redundancy.exclusive)
+    peers_ = std::make_unique<PeerWatch>(participant, source_id_, [this](std::uint32_t s) { return set_strength(s); });
 }
 
 void CycleThread::run_once() {
+  const double wait_s = leaving_ ? leaving_wait_s : longest_wait_s;
   // The condition does not trigger again for samples that were left behind.
-  if (!backlog_) wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(longest_wait_s)));
+  if (!backlog_) wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(wait_s)));
   arrival_.wake_up();
+  if (peers_) notice_stall(monotonic_ns());
+  exchange_table();
   take_samples();
   MonitorCommand command;
   while (commands_.take(command)) obey(command);
@@ -69,7 +82,7 @@ void CycleThread::take_samples() {
 
 void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
   turns_.turned();
-  EngineSlot* slot = engines_.find(sensors.engine_id(), sensors.schema() == wire::schema_version);
+  EngineSlot* slot = engines_->find(sensors.engine_id(), sensors.schema() == wire::schema_version);
   if (!slot) {
     // Said once a thousand: a stray source must not fill the log.
     if (unknown_engine_samples_++ % 1000 == 0)
@@ -101,6 +114,7 @@ void CycleThread::first_sample(EngineSlot& slot) {
 }
 
 void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
+  if (slot.released || turn_ns_ < quiet_until_ns_) return;
   const Stamp stamp{slot.engine_id, source_id_, slot.sample.sequence, slot.sample.source_time_ns, wall_clock_ns()};
   if (result.estimates) {
     convert(slot.cycle, result, stamp, health_sample_);
@@ -118,7 +132,7 @@ void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int6
 void CycleThread::obey(const MonitorCommand& command) {
   if (command.schema() != wire::schema_version) return;
   if (command.kind() != static_cast<std::uint32_t>(wire::MonitorCommandKind::reset)) return;
-  engines_.for_each([&](EngineSlot& slot) {
+  engines_->for_each([&](EngineSlot& slot) {
     if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
     slot.cycle.reset();
     if (records_) records_->marker(slot, recording::RowKind::reset);
@@ -128,7 +142,7 @@ void CycleThread::obey(const MonitorCommand& command) {
 
 void CycleThread::watch_input(std::int64_t now_ns) {
   int statuses = 0;
-  engines_.for_each([&](EngineSlot& slot) {
+  engines_->for_each([&](EngineSlot& slot) {
     const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
     const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
     if (!source_clock_ || age_s > source_silence_s) {
@@ -180,6 +194,8 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   report.status.unknown_engine_samples(unknown_engine_samples_);
   report.status.reports_lost(reports_.overflow());
   report.status.records_lost(records_ ? records_->lost() : 0);
+  report.status.reloads(exchange_.reloads.load(std::memory_order_relaxed));
+  report.status.reloads_refused(exchange_.refused.load(std::memory_order_relaxed));
   if (checkpoints_) {
     report.status.checkpoints_written(checkpoints_->writer().written());
     report.status.checkpoints_failed(checkpoints_->writer().failed());
@@ -200,10 +216,71 @@ void CycleThread::judge_recording(EngineSlot& slot) {
   for (const Event& event : changes) report_event(slot, event);
 }
 
-void CycleThread::say_stopped() {
-  engines_.for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
+void CycleThread::exchange_table() {
+  EngineTable* next = exchange_.next.exchange(nullptr, std::memory_order_acquire);
+  if (!next) return;
+  next->take_over(*engines_, [&](EngineSlot& old, EngineSlot& now) {
+    old.cycle.reset();  // clears what it had raised, and says that the filter starts anew
+    report_events(old);
+    reports_.push({Report::Kind::new_engine, now.engine_id, &now.cycle.design(), {}, 0, 0, {}, {}});
+  });
+  exchange_.retired.store(engines_, std::memory_order_release);
+  engines_ = next;
+}
+
+bool CycleThread::set_strength(std::uint32_t strength) {
+  return health_.set_strength(strength) && auxiliary_.set_strength(strength) && residuals_.set_strength(strength);
+}
+
+void CycleThread::notice_stall(std::int64_t now_ns) {
+  if (now_ns - turn_ns_ > longest_turn_ns) {
+    peers_->yield();
+    quiet_until_ns_ = now_ns + quiet_ns;
+  }
+  turn_ns_ = now_ns;
+}
+
+/// In the middle of the pause between two samples, when every monitor has written its estimate of the last one; or the
+/// engine has fallen silent.
+bool CycleThread::between_samples(const EngineSlot& slot, std::int64_t now_ns) {
+  const double samples =
+      1e-9 * static_cast<double>(now_ns - slot.received_ns) / slot.cycle.design().model.sample_time_s;
+  return (samples > 0.3 && samples < 0.7) || samples > 2.0;
+}
+
+void CycleThread::release(EngineSlot& slot) {
+  health_sample_.engine_id(slot.engine_id);
+  auxiliary_sample_.engine_id(slot.engine_id);
+  residuals_sample_.engine_id(slot.engine_id);
+  health_.release(health_sample_);
+  auxiliary_.release(auxiliary_sample_);
+  residuals_.release(residuals_sample_);
+  slot.released = true;
+}
+
+void CycleThread::release_all() {
+  const std::int64_t limit_ns = monotonic_ns() + longest_release_ns;
+  leaving_ = true;
+  // A standby is heard from the sample after the release on: without a gap if that falls between two samples.
+  for (bool some_left = true; some_left;) {
+    some_left = false;
+    const std::int64_t now_ns = monotonic_ns();
+    engines_->for_each([&](EngineSlot& slot) {
+      if (slot.released) return;
+      if (!peers_ || now_ns > limit_ns || between_samples(slot, now_ns))
+        release(slot);
+      else
+        some_left = true;
+    });
+    if (some_left) run_once();
+  }
+}
+
+void CycleThread::stop() {
+  release_all();
+  engines_->for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
   const std::int64_t limit_ns = monotonic_ns() + last_checkpoints_ns;
-  if (checkpoints_) engines_.for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });
+  if (checkpoints_) engines_->for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });
 }
 
 }  // namespace ehm::monitor

@@ -12,6 +12,8 @@
 #include "monitor/engine_table.h"
 #include "monitor/realtime/arrival_clock.h"
 #include "monitor/record/record_feed.h"
+#include "monitor/redundancy/peer_watch.h"
+#include "monitor/reload/table_exchange.h"
 #include "monitor/report.h"
 
 namespace ehm::monitor {
@@ -20,12 +22,12 @@ class CycleThread {
  public:
   /// `checkpoints` and `records` may be null: none are kept then.
   CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
-              CheckpointKeeper* checkpoints, RecordFeed* records);
+              CheckpointKeeper* checkpoints, RecordFeed* records, TableExchange& exchange);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
-  /// Tells every engine's subscribers that this monitor stops in order, and keeps a last checkpoint of each.
-  void say_stopped();
+  /// Ends in order: leaves every engine between two of its samples, tells its subscribers, keeps a last checkpoint.
+  void stop();
   /// Grows with every turn and every sample, at least 60 times a second.
   const service::TurnCounter& turns() const { return turns_; }
 
@@ -37,6 +39,12 @@ class CycleThread {
   void watch_input(std::int64_t now_ns);
   void judge_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
+  bool set_strength(std::uint32_t strength);
+  void notice_stall(std::int64_t now_ns);
+  void exchange_table();
+  void release(EngineSlot& slot);
+  void release_all();
+  static bool between_samples(const EngineSlot& slot, std::int64_t now_ns);
   void report_event(const EngineSlot& slot, const Event& event);
   void report_events(EngineSlot& slot);
   void report_malformed(EngineSlot& slot);
@@ -46,7 +54,8 @@ class CycleThread {
   bool source_clock_;
   std::int64_t status_period_ns_;
   std::int64_t start_ns_;
-  EngineTable& engines_;
+  EngineTable* engines_;  ///< exchanged at a reload, between two turns
+  TableExchange& exchange_;
   ReportQueue& reports_;
   CheckpointKeeper* checkpoints_;
   RecordFeed* records_;
@@ -61,6 +70,9 @@ class CycleThread {
   wire::Writer<EngineHealth> health_;
   wire::Writer<EngineAuxiliary> auxiliary_;
   wire::Writer<EngineResiduals> residuals_;
+  bool leaving_ = false;             ///< engines are to be released
+  std::int64_t turn_ns_ = 0;         ///< monotonic, when this turn began; under exclusive ownership only
+  std::int64_t quiet_until_ns_ = 0;  ///< no estimates are written before
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 
@@ -68,6 +80,7 @@ class CycleThread {
   EngineHealth health_sample_;
   EngineAuxiliary auxiliary_sample_;
   EngineResiduals residuals_sample_;
+  std::unique_ptr<PeerWatch> peers_;  ///< null unless ownership is exclusive
 };
 
 }  // namespace ehm::monitor

@@ -11,6 +11,22 @@ namespace ehm::monitor {
 struct EngineSlot {
   EngineSlot(const PreparedDesign& design, const CycleOptions& options) : cycle(design, options) {}
 
+  /// Everything but the cycle: another design goes on for the same engine. Real-time safe: yes.
+  void inherit(const EngineSlot& before) noexcept {
+    cycle.adopt(before.cycle.counters());
+    latency = before.latency;
+    sample = before.sample;
+    last_sequence = before.last_sequence;
+    received_ns = before.received_ns;
+    malformed_ns = before.malformed_ns;
+    deadline_misses = before.deadline_misses;
+    writes_refused = before.writes_refused;
+    status_ns = before.status_ns;
+    status_received = before.status_received;
+    status_level = before.status_level;
+    status_counters = before.status_counters;
+  }
+
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet
   MonitorCycle cycle;
   LatencyHistogram latency;
@@ -29,6 +45,7 @@ struct EngineSlot {
   CycleCounters status_counters;           ///< at that status, to tell what is new
   std::int64_t checkpoint_ns = 0;          ///< monotonic, of the latest checkpoint
   std::uint64_t checkpoint_processed = 0;  ///< samples processed up to that checkpoint
+  bool released = false;                   ///< its estimates are no longer written: the monitor stops
 };
 
 }  // namespace ehm::monitor

@@ -46,6 +46,10 @@ EngineSlot* EngineTable::find(std::uint32_t engine_id, bool may_join) noexcept {
   return slots_[used_ - 1].get();
 }
 
+bool EngineTable::same_engine(const EngineSlot& a, const EngineSlot& b) noexcept {
+  return a.cycle.design().hash == b.cycle.design().hash && a.cycle.options() == b.cycle.options();
+}
+
 void EngineTable::assign(std::size_t slot, std::uint32_t engine_id) noexcept {
   slots_[slot]->engine_id = engine_id;
   index_.add(engine_id, slot);

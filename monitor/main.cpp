@@ -17,6 +17,26 @@
 #include "monitor/offline.h"
 #include "monitor/service.h"
 
+namespace {
+
+/// What a reload reads: the same file, environment and command line, as they are then.
+ehm::monitor::LoadedConfig read_again(int argc, char** argv) {
+  using namespace ehm;
+  monitor::LoadedConfig loaded;
+  config::Schema schema;
+  monitor::declare(schema, loaded.config);
+  monitor::ListenOptions ignored;
+  config::CommandLine line;
+  line.more_options = [&ignored](CLI::App& app) { monitor::declare(app, ignored); };
+  config::parse_command_line(argc, argv, "monitor", "", schema, line);
+  schema.load(line.file);
+  monitor::finish_config(loaded.config);
+  loaded.values = schema.values();
+  return loaded;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace ehm;
   spdlog::set_default_logger(spdlog::stderr_color_mt("monitor"));
@@ -53,7 +73,7 @@ int main(int argc, char** argv) {
     if (listen.wanted)
       return monitor::listen(config, *engines, listen, std::cout) ? service::exit_ok : service::exit_failed;
     if (config.offline.file.empty())
-      monitor::run_service(config, *engines);
+      monitor::run_service(config, *engines, {schema.values(), [=] { return read_again(argc, argv); }});
     else
       monitor::run_offline(config, *engines);
     return service::exit_ok;

@@ -32,8 +32,11 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       sample_time_(design_->model.sample_time_s),
       sensor_check_(options.checks, design_->model),
       qualification_(static_cast<std::size_t>(sensors_)),
+      gated_(static_cast<std::size_t>(sensors_)),
       validity_(options.validity, design_->model),
+      faults_(options.faults, prepared.faults, design_->model.sample_time_s),
       shift_(options.shift, *design_),
+      slow_bias_(options.faults, *design_),
       limits_(options.limits, design_->model),
       dy_(sensors_),
       sensor_trim_(trims<estimation::SensorVector>(design_->model.sensors)),
@@ -61,6 +64,7 @@ bool MonitorCycle::process(const Sample& sample) noexcept {
   gate();
   qualify();
   update();
+  detect(decision.steps);
   choose_design();
   judge();
   return true;
@@ -100,7 +104,11 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
 void MonitorCycle::restart_filter() noexcept {
   filter_.reset();
   error_.reset(error_models_->front());
+  ungated_.reset();
+  faults_.reset();
   shift_.reset();
+  slow_bias_.reset(events_);
+  settle_ambiguity(true);
   du_previous_ = du_;
 }
 
@@ -174,13 +182,18 @@ void MonitorCycle::gate() noexcept {
   const int missing = filter_.sensor_set().missing();
   if (have_design_ && missing >= 0) {
     return_gate_.step(design_->model.sample_time_s);
+    if (plausible[static_cast<std::size_t>(missing)]) return_gate_.observe(filter_.innovation()(missing));
     if (shift_.raised()) return_gate_.forget();
     result_.ratio(missing) = return_gate_.ratio(filter_.innovation()(missing), options_.checks.gate_sigma);
   }
   for (int i = 0; i < sensors_; ++i) {
     const auto s = static_cast<std::size_t>(i);
     const bool held_back = have_design_ && i == missing && plausible[s] && result_.ratio(i) > 1.0;
-    if (in_use.rejected[s] || held_back) result_.reason[s] |= reason::innovation_gate;
+    // The gate keeps wild values out. What lasts longer is the fault detector's to name, once it listens.
+    gated_[s] = in_use.rejected[s] ? gated_[s] + 1 : 0;
+    const bool suspect = plausible[s] && faults_.suspect() == i;
+    const bool wild = in_use.rejected[s] && (!faults_.armed() || gated_[s] <= options_.checks.bridge_samples);
+    if (wild || suspect || held_back) result_.reason[s] |= reason::innovation_gate;
   }
 }
 
@@ -188,7 +201,10 @@ void MonitorCycle::qualify() noexcept {
   for (int i = 0; i < sensors_; ++i) {
     const auto s = static_cast<std::size_t>(i);
     const std::uint32_t why = result_.reason[s];
-    const bool excluded = qualification_[s].observe(why == 0, options_.checks) == Qualification::State::excluded;
+    const bool only_wild = why == reason::innovation_gate && faults_.armed() &&
+                           qualification_[s].state() != Qualification::State::excluded;
+    const bool excluded =
+        qualification_[s].observe(why == 0 || only_wild, options_.checks) == Qualification::State::excluded;
     sensor_fault_[s].set(
         excluded, {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false, result_.ratio(i), 1.0, why},
         events_);
@@ -226,28 +242,14 @@ void MonitorCycle::choose_design() noexcept {
   if (missing >= 0) exclude(missing);
 }
 
-void MonitorCycle::exclude(int sensor) noexcept {
-  const double with_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
-  const double narrow = filter_.innovation_variance()(sensor);
-  const bool knew_it = error_.settled();
-  filter_.switch_sensor_set(SensorSet::without(sensor));
-  error_.switch_to((*error_models_)[static_cast<std::size_t>(1 + sensor)], filter_.gain().from_full);
-  const double without_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
-  return_gate_.start(with_it - without_it, narrow, filter_.innovation_variance()(sensor));
-  if (!knew_it) return_gate_.forget();
-}
-
-void MonitorCycle::readmit() noexcept {
-  error_.switch_to(error_models_->front(), filter_.gain().to_full);
-  filter_.switch_sensor_set(SensorSet::full());
-}
-
 void MonitorCycle::judge() noexcept {
   result_.sensors_used = filter_.sensors();
   result_.estimates = have_design_;
   if (have_design_) {
     ++counters_.processed;
-    shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), events_);
+    const bool wait = faults_.pending() || ambiguous_.raised();
+    shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), wait, events_);
+    if (filter_.sensor_set().is_full() && error_.settled()) slow_bias_.judge(filter_.tuners(), events_);
     limits_.judge(filter_.health(), filter_.auxiliary(), events_);
   } else {
     ++counters_.withheld;

@@ -20,9 +20,12 @@
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/estimation/tuner_filter.h"
 #include "monitor/judge/events.h"
+#include "monitor/judge/fault_detector.h"
 #include "monitor/judge/limit_watch.h"
 #include "monitor/judge/second_source_watch.h"
 #include "monitor/judge/shift_detector.h"
+#include "monitor/judge/slow_bias.h"
+#include "monitor/judge/ungated_filter.h"
 #include "monitor/judge/validity.h"
 #include "monitor/options.h"
 #include "monitor/prepared_design.h"
@@ -80,7 +83,11 @@ class MonitorCycle {
   const estimation::TunerFilter& filter() const noexcept { return filter_; }
   const estimation::ErrorPropagation& error() const noexcept { return error_; }
   const design::Design& design() const noexcept { return *design_; }
+  const FaultDetector& faults() const noexcept { return faults_; }
   const CycleCounters& counters() const noexcept { return counters_; }
+  /// Goes on counting for a predecessor.
+  void adopt(const CycleCounters& counters) noexcept { counters_ = counters; }
+  const CycleOptions& options() const noexcept { return options_; }
   /// Of the latest sample that was in order.
   const CycleResult& result() const noexcept { return result_; }
   bool stale() const noexcept { return input_lost_.raised(); }
@@ -99,9 +106,14 @@ class MonitorCycle {
   void gate() noexcept;
   void qualify() noexcept;
   void update() noexcept;
+  void detect(int steps) noexcept;
+  void declare(const FaultVerdict& verdict) noexcept;
+  void declare_sensor(const FaultVerdict& verdict) noexcept;
+  void settle_ambiguity(bool decided) noexcept;
   void choose_design() noexcept;
   void exclude(int sensor) noexcept;
   void readmit() noexcept;
+  void take_out_fault() noexcept;
   void judge() noexcept;
   std::uint32_t estimate_flags() const noexcept;
   void fly_blind_to(const Sample& next, std::uint64_t sequence) noexcept;
@@ -117,9 +129,14 @@ class MonitorCycle {
   SampleTimeWatch sample_time_;
   SensorCheck sensor_check_;
   std::vector<Qualification> qualification_;
+  std::vector<std::int64_t> gated_;  ///< values in a row that only the innovation gate held back, by sensor
   ReturnGate return_gate_;
   Validity validity_;
+  UngatedFilter ungated_;
+  FaultDetector faults_;
+  FaultVerdict declared_;  ///< of this sample
   ShiftDetector shift_;
+  SlowBias slow_bias_;
   LimitWatch limits_;
 
   estimation::SensorVector dy_, sensor_trim_;  ///< deviations from trim, NaN where there is no value
@@ -127,8 +144,11 @@ class MonitorCycle {
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;
-  Condition no_design_, input_lost_;
+  Condition no_design_, input_lost_, ambiguous_;
   SecondSourceWatch second_source_;
+  std::uint32_t ambiguous_channel_ = 0;
+  std::int64_t unambiguous_samples_ = 0;
+  estimation::AugmentedVector shift_by_;
   EventList events_;
   CycleCounters counters_;
   CycleResult result_;

@@ -15,6 +15,7 @@ struct CheckOptions {
   std::int64_t bridge_samples = 5;       ///< bad samples in a row that are bridged before the sensor is declared faulty
   std::int64_t requalify_samples = 200;  ///< good samples in a row before it is used again
   double restart_gap_s = 2.0;            ///< a longer gap, or a larger jump back in time, restarts the filter
+  friend bool operator==(const CheckOptions&, const CheckOptions&) = default;
 };
 
 /// How far from the design's operating point its linear model is trusted.
@@ -25,18 +26,32 @@ struct ValidityOptions {
   double actuator_percent = 15.0;  ///< of trim, where that is not zero
   double vane_deg = 3.0;           ///< of an actuator in degrees
   double bleed_fraction = 0.03;    ///< of an actuator in fractions of a flow
+  friend bool operator==(const ValidityOptions&, const ValidityOptions&) = default;
 };
 
 struct ShiftOptions {
   double window_s = 4.0;       ///< the estimate is compared with itself this long ago
   double persistence_s = 1.0;  ///< the change must last this long before it is named
   double false_alarm_per_hour = 1e-3;
+  friend bool operator==(const ShiftOptions&, const ShiftOptions&) = default;
+};
+
+/// Detection of abrupt sensor and component faults, and of slow bias.
+struct FaultOptions {
+  double false_alarm_per_hour = 0.02;    ///< by noise, of all abrupt faults together
+  double persistence_s = 0.075;          ///< the same answer so long before it is given
+  double decide_within_s = 2.0;          ///< then "ambiguous" is the answer
+  double wrong_name_probability = 1e-3;  ///< of sensor against component, sensor against sensor
+  double signature_error = 0.1;          ///< share of the evidence that a wrong model may turn
+  double slow_bias_probability = 1e-6;   ///< per engine of the fleet, that wear alone looks like a slow bias
+  friend bool operator==(const FaultOptions&, const FaultOptions&) = default;
 };
 
 /// Raised when the estimate leaves [min, max]; cleared when it is back inside by `hysteresis`.
 struct LimitOptions {
   std::string quantity;  ///< name of a health or auxiliary channel
   double min, max, hysteresis;
+  friend bool operator==(const LimitOptions&, const LimitOptions&) = default;
 };
 
 /// Everything that the cycles see and say, in a file (deploy/docs/recording.md).
@@ -57,8 +72,10 @@ struct CycleOptions {
   CheckOptions checks;
   ValidityOptions validity;
   ShiftOptions shift;
+  FaultOptions faults;
   std::vector<LimitOptions> limits;
   double stale_periods = 3.0;
+  friend bool operator==(const CycleOptions&, const CycleOptions&) = default;
 };
 
 }  // namespace ehm::monitor

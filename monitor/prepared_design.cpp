@@ -19,6 +19,7 @@ std::vector<estimation::ErrorModel> make_error_models(const design::Design& desi
 PreparedDesign::PreparedDesign(std::shared_ptr<const design::Design> of)
     : design(std::move(of)),
       filter(design::make_filter(*design)),
-      error_models(std::make_shared<const std::vector<estimation::ErrorModel>>(make_error_models(*design))) {}
+      error_models(std::make_shared<const std::vector<estimation::ErrorModel>>(make_error_models(*design))),
+      faults(fault_tables(*design)) {}
 
 }  // namespace ehm::monitor

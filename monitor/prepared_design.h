@@ -9,6 +9,7 @@
 #include "monitor/design/design.h"
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/estimation/tuner_filter.h"
+#include "monitor/judge/fault_signatures.h"
 
 namespace ehm::monitor {
 
@@ -18,6 +19,7 @@ struct PreparedDesign {
   std::shared_ptr<const design::Design> design;
   estimation::TunerFilter filter;  ///< has seen nothing yet; copies share their matrices
   std::shared_ptr<const std::vector<estimation::ErrorModel>> error_models;  ///< [0] full set, [1 + i] without sensor i
+  std::shared_ptr<const FaultTables> faults;
 };
 
 }  // namespace ehm::monitor

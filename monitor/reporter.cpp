@@ -14,7 +14,7 @@ namespace ehm::monitor {
 
 namespace {
 constexpr std::chrono::milliseconds poll{5};  // how late an event may be reported
-constexpr double drain_s = 0.5;               // how long a stop waits for subscribers to hear the last status
+constexpr double drain_s = 0.25;              // how long a stop waits for subscribers to hear the last status
 
 void say_malformed(const Report& report) {
   const Malformed& m = report.malformed;
@@ -43,8 +43,7 @@ Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, Repo
 Reporter::~Reporter() {
   stop_.store(true, std::memory_order_release);
   thread_.join();
-  status_.drain(drain_s);
-  events_.drain(drain_s);
+  if (status_.drain(drain_s)) events_.drain(drain_s);  // a reader that does not answer is waited for once
 }
 
 void Reporter::run() {

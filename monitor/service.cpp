@@ -63,7 +63,7 @@ struct Checkpoints {
 
 }  // namespace
 
-void run_service(const MonitorConfig& config, EngineTable& engines) {
+void run_service(const MonitorConfig& config, EngineTable& engines, const ReloadSource& source) {
   const service::StopSignal stop;
   std::optional<Recorder> recorder;
   if (!config.record.file.empty()) recorder.emplace(config, engines);
@@ -86,8 +86,10 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
     });
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
+  TableExchange exchange;
+  const Reloader reloader(source, exchange, notices);
   CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr,
-                    recorder ? &recorder->feed() : nullptr);
+                    recorder ? &recorder->feed() : nullptr, exchange);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
                engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
@@ -96,7 +98,7 @@ void run_service(const MonitorConfig& config, EngineTable& engines) {
   service::notify_ready();
   while (!stop.requested()) cycle.run_once();
   service::notify_stopping();
-  cycle.say_stopped();
+  cycle.stop();
   spdlog::info("stopped in order");
 }
 

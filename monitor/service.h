@@ -14,6 +14,7 @@
 #include "idl/dds/participant.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
+#include "monitor/reload/reloader.h"
 
 namespace ehm::monitor {
 
@@ -21,6 +22,7 @@ namespace ehm::monitor {
 wire::ParticipantOptions service_participant(const MonitorConfig& config);
 
 /// Serves until SIGINT or SIGTERM; then drains and tells every engine's subscribers that it stopped in order.
-void run_service(const MonitorConfig& config, EngineTable& engines);
+/// SIGHUP reads the configuration again through `source`.
+void run_service(const MonitorConfig& config, EngineTable& engines, const ReloadSource& source);
 
 }  // namespace ehm::monitor

@@ -21,7 +21,7 @@ forbid() {
 dds='fastdds|fastrtps|engine_health|idl/dds|idl/topics|idl/layout'
 outside="$dds|spdlog|chrono|thread|mutex|fstream|iostream|cstdio|time\.h|filesystem"
 pure=(engine_sim/model engine_sim/control engine_sim/sensors monitor/estimation monitor/checks monitor/judge
-  monitor/monitor_cycle.h monitor/monitor_cycle.cpp)
+  monitor/monitor_cycle.h monitor/monitor_cycle.cpp monitor/cycle_faults.cpp)
 
 forbid "physics and estimation know no DDS, clock, thread, log or file" "$outside" "${pure[@]}"
 forbid "the truth does not know the estimator" 'monitor/|tuner_design/' engine_sim

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <ostream>
 
+#include "monitor/design/detectability.h"
+
 namespace ehm::bench {
 namespace {
 
@@ -36,6 +38,17 @@ void print_points(const design::Certificate& certificate, std::ostream& out) {
 }
 
 }  // namespace
+
+void print_detectability(const estimation::LinearModel& model, const Eigen::VectorXd& detectability,
+                         std::ostream& out) {
+  if (detectability.size() != static_cast<Eigen::Index>(model.sensors.size())) return;
+  const auto precision = out.precision(3);
+  out << "    slow bias of 5 sigma against deterioration, distance:";
+  for (std::size_t i = 0; i < model.sensors.size(); ++i)
+    out << ' ' << model.sensors[i].name << ' ' << detectability(static_cast<Eigen::Index>(i));
+  out << " (told apart above " << design::least_detectability << ")\n"
+      << std::setprecision(static_cast<int>(precision));
+}
 
 void print_certificate(const design::Certificate& certificate, std::ostream& out) {
   const auto precision = out.precision(6);

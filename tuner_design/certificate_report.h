@@ -4,8 +4,13 @@
 #include <iosfwd>
 
 #include "monitor/design/certificate.h"
+#include "monitor/estimation/linear_model.h"
 
 namespace ehm::bench {
+
+/// How well a slow bias of each sensor can be told from deterioration (monitor/design/detectability.h); nothing where
+/// it is not known.
+void print_detectability(const estimation::LinearModel& model, const Eigen::VectorXd& detectability, std::ostream& out);
 
 void print_certificate(const design::Certificate& certificate, std::ostream& out);
 

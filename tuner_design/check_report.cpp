@@ -5,12 +5,14 @@
 
 #include "monitor/design/content_hash.h"
 #include "monitor/design/design_file.h"
+#include "monitor/design/detectability.h"
 #include "monitor/design/file_error.h"
 #include "monitor/design/json_object.h"
 #include "monitor/design/model_file.h"
 #include "monitor/design/model_json.h"
 #include "monitor/estimation/scaling.h"
 #include "monitor/estimation/steady_gain.h"
+#include "tuner_design/certificate_report.h"
 #include "tuner_design/choose_tuners.h"
 #include "tuner_design/discretise.h"
 
@@ -68,6 +70,8 @@ CheckedFile check_file(const std::string& path, const ImportOptions& options) {
     const design::Design design = design::read_design(path);
     file.model = design.model;
     file.hash = design.hash;
+    file.slow_bias_detectability =
+        design::slow_bias_detectability(design.model, design.scaling, design.full.slowest_time_constant_s);
   }
   const LinearModel discrete = estimation::scaled(discretise(file.model), estimation::scaling_of(file.model));
   const estimation::SteadyGain steady = estimation::steady_gain(discrete);
@@ -102,6 +106,7 @@ nlohmann::ordered_json check_as_json(const CheckedFile& file) {
           {"singular_values", values(seen.singular_values)},
           {"condition", seen.condition},
           {"pair_singular_values", values(file.pair_singular_values)},
+          {"slow_bias_detectability", values(file.slow_bias_detectability)},
           {"assumed", file.assumed},
           {"hash", file.hash}};
 }
@@ -130,7 +135,9 @@ void print_check(const CheckedFile& file, std::ostream& out) {
     out << "\n    singular values of the augmented pair:";
     for (const double value : file.pair_singular_values) out << ' ' << value;
   }
-  out << "\n  hash           " << file.hash << '\n';
+  out << '\n';
+  print_detectability(model, file.slow_bias_detectability, out);
+  out << "  hash           " << file.hash << '\n';
   print_assumed(file.assumed, out);
 }
 

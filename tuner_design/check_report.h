@@ -18,7 +18,8 @@ struct CheckedFile {
   estimation::LinearModel model;
   std::vector<std::string> assumed;  ///< what the file does not state
   Observability observability;
-  Eigen::VectorXd pair_singular_values;  ///< of (Axq, Cxq), noise-scaled; empty if health is not observable
+  Eigen::VectorXd pair_singular_values;     ///< of (Axq, Cxq), noise-scaled; empty if health is not observable
+  Eigen::VectorXd slow_bias_detectability;  ///< by sensor; empty for a model
 };
 
 /// `path`: a design or whatever import_model reads.

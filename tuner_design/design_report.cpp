@@ -178,6 +178,7 @@ void print_design(const Design& design, std::ostream& out) {
   }
   out << '\n';
   print_certificate(design.certificate, out);
+  print_detectability(design.model, design.certificate.slow_bias_detectability, out);
   const std::vector<std::string> worse = worse_than_prior(design.full, design.model, design.scaling);
   if (worse.empty()) return;
   out << "  warning: sigma exceeds the fleet's own for";

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "deploy/long_work/parallel_for.h"
+#include "monitor/design/detectability.h"
 #include "tuner_design/bayes_limit.h"
 #include "tuner_design/choose_tuners.h"
 #include "tuner_design/kalman_error.h"
@@ -162,6 +163,8 @@ Design full_design(const LinearModel& model, const PreparedPoint& point, const D
   design.options = options;
   design.scaling = point.scaling;
   design.certificate = certificate_of(tuners, filter, point);
+  design.certificate.slow_bias_detectability =
+      design::slow_bias_detectability(model, point.scaling, filter.slowest_time_constant_s);
   design.full = std::move(filter);
   add_errors_and_limits(design, point);
   return design;

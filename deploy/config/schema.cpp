@@ -213,6 +213,12 @@ std::vector<Schema::KeyText> Schema::table_keys() const {
   return list;
 }
 
+std::map<std::string, std::string> Schema::values() const {
+  std::map<std::string, std::string> values;
+  for (const Entry& entry : entries_) values[entry.key] = entry.value_text();
+  return values;
+}
+
 std::string Schema::reference() const {
   std::ostringstream out;
   std::string section;

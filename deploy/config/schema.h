@@ -53,6 +53,8 @@ class Schema {
   std::vector<KeyText> keys() const;
   /// Name and description of the structured sections.
   std::vector<KeyText> table_keys() const;
+  /// The present text of each key, tables apart: to tell what a second load changed.
+  std::map<std::string, std::string> values() const;
   /// The complete TOML file with defaults, ranges, units and descriptions as comments.
   std::string reference() const;
 

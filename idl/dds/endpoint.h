@@ -30,6 +30,14 @@ class Writer : private eprosima::fastdds::dds::DataWriterListener {
 
   /// False when the middleware refused the sample; the caller counts it.
   bool write(const T& sample) { return writer_->write(const_cast<T*>(&sample)); }
+  /// Changes the ownership strength of all instances at run time; not for the cycle thread. False if refused.
+  bool set_strength(std::uint32_t strength) {
+    auto qos = writer_->get_qos();
+    qos.ownership_strength().value = strength;
+    return writer_->set_qos(qos) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
+  }
+  /// Ends the instance as far as this writer goes: readers see NOT_ALIVE, or the next weaker writer.
+  void release(const T& key) { writer_->unregister_instance(const_cast<T*>(&key), eprosima::fastdds::dds::HANDLE_NIL); }
   /// Readers matched at present.
   int matched() const { return matched_.load(std::memory_order_acquire); }
   /// Waits until all matched readers have acknowledged; false after the time limit.

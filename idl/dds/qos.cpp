@@ -46,10 +46,12 @@ dds::DataWriterQos writer_qos(Delivery delivery, bool estimate, const Redundancy
   qos.reliable_writer_qos().times.heartbeatPeriod = seconds(0.02);
   if (delivery == Delivery::stream) {
     qos.deadline().period = seconds(offered_deadline_s);
-    qos.liveliness().kind = dds::AUTOMATIC_LIVELINESS_QOS;
+    qos.liveliness().kind = exclusive ? dds::MANUAL_BY_TOPIC_LIVELINESS_QOS : dds::AUTOMATIC_LIVELINESS_QOS;
     qos.liveliness().lease_duration = seconds(exclusive ? redundant_lease_s : offered_lease_s);
     qos.liveliness().announcement_period = seconds((exclusive ? redundant_lease_s : offered_lease_s) / 3.0);
   }
+  // Who unregisters an instance leaves it; the instance itself may go on with another writer.
+  qos.writer_data_lifecycle().autodispose_unregistered_instances = false;
   if (exclusive) qos.ownership_strength().value = redundancy.strength;
   return qos;
 }
@@ -59,7 +61,8 @@ dds::DataReaderQos reader_qos(Delivery delivery, bool estimate, const Redundancy
   dds::DataReaderQos qos;
   apply_common(qos, delivery, exclusive);
   if (exclusive) {
-    qos.liveliness().kind = dds::AUTOMATIC_LIVELINESS_QOS;
+    // By the estimates themselves: a monitor whose cycle hangs is passed over like one that is dead.
+    qos.liveliness().kind = dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
     qos.liveliness().lease_duration = seconds(redundant_lease_s);
   }
   return qos;

@@ -88,7 +88,8 @@ Json return_gate_to_json(const ReturnGate::Memory& memory) {
   return {{"offset", memory.offset},
           {"narrow_variance", memory.narrow_variance},
           {"wide_variance", memory.wide_variance},
-          {"age_s", memory.age_s}};
+          {"age_s", memory.age_s},
+          {"bias", memory.bias}};
 }
 
 ReturnGate::Memory return_gate_from_json(JsonObject& root) {
@@ -98,6 +99,7 @@ ReturnGate::Memory return_gate_from_json(JsonObject& root) {
   memory.narrow_variance = object.positive_number("narrow_variance");
   memory.wide_variance = object.positive_number("wide_variance");
   memory.age_s = object.number("age_s");
+  memory.bias = object.number("bias");
   if (memory.age_s < 0.0) defect(object, "age_s", memory.age_s, "0 or more");
   object.refuse_unknown();
   return memory;

@@ -1,11 +1,9 @@
 #pragma once
 // Does the source keep the design's sample time? Over blocks of 64 samples the mean of dt / steps, by the source's
-// clock, must lie within 10 % of it; a single late sample or step of the source's clock does not matter (dt counts as
-// at most three sample times a step), a source of another rate does: every time constant of the filter would be wrong.
-// Outside, estimates are withheld. Real-time safe: yes.
+// clock, must lie within 10 % of it; a source of another rate makes every time constant of the filter wrong, and its
+// estimates are withheld. Stamps that came late in a burst leave the mean alone, and one step of the source's clock
+// spoils one block only: two blocks in a row must be outside, on the same side. Real-time safe: yes.
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "monitor/checks/sample_check.h"
@@ -24,12 +22,15 @@ class SampleTimeWatch {
       steps_ = 0;
       return !condition_.raised();
     }
-    sum_s_ += std::min(decision.dt_s, most_periods * sample_time_s_ * decision.steps);
+    sum_s_ += decision.dt_s;
     steps_ += decision.steps;
     if (steps_ >= block) {
       const double mean_s = sum_s_ / static_cast<double>(steps_);
-      condition_.set(std::abs(mean_s / sample_time_s_ - 1.0) > tolerance,
+      const double excess = mean_s / sample_time_s_ - 1.0;
+      const int side = excess > tolerance ? 1 : excess < -tolerance ? -1 : 0;
+      condition_.set(side != 0 && (condition_.raised() || side == last_side_),
                      {wire::EventKind::sample_time, 0, false, mean_s, sample_time_s_, 0}, events);
+      last_side_ = side;
       sum_s_ = 0.0;
       steps_ = 0;
     }
@@ -38,9 +39,10 @@ class SampleTimeWatch {
 
  private:
   static constexpr std::int64_t block = 64;
-  static constexpr double tolerance = 0.1, most_periods = 3.0;
+  static constexpr double tolerance = 0.1;
   double sample_time_s_, sum_s_ = 0.0;
   std::int64_t steps_ = 0;
+  int last_side_ = 0;  ///< of the block before: -1 too fast, 1 too slow
   Condition condition_;
 };
 

@@ -39,6 +39,16 @@ std::string reasons(std::uint32_t detail) {
   return text;
 }
 
+/// What the fault detector measured, or what the checks saw.
+std::string sensor_fault(const Event& e, const estimation::LinearModel& model) {
+  namespace reason = wire::reject_reason;
+  const auto& sensor = model.sensors.at(e.channel);
+  if (e.detail & reason::noise) return fmt::format("its noise grew {:.1f} times or more", e.value);
+  if (!(e.detail & reason::bias)) return reasons(e.detail);
+  const double sigma = model.sensor_noise_sigma(static_cast<Eigen::Index>(e.channel));
+  return fmt::format("bias {:+.4g} {}, {:+.1f} sigma, since {:.2f} s", e.value, sensor.unit, e.value / sigma, e.age_s);
+}
+
 /// What became of a readable checkpoint at the engine's first sample; of an unreadable one the file's reader tells.
 std::string checkpoint_text(const Event& e) {
   switch (static_cast<Resumption>(e.detail)) {
@@ -70,7 +80,7 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
   const auto* c = channel_of(e, model);
   switch (e.kind) {
     case wire::EventKind::sensor_fault:
-      return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, reasons(e.detail))
+      return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, sensor_fault(e, model))
                       : fmt::format("sensor {} is good again and used", c->name);
     case wire::EventKind::health_shift:
       return e.raised ? fmt::format("{} changed by {:+.4f} {} (noticeable from {:.4f})", c->name, e.value, c->unit,

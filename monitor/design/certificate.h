@@ -40,9 +40,10 @@ struct Certificate {
   std::string verdict;  ///< one sentence: what it is, or why it is none
   std::vector<SearchStart> starts;
   std::vector<CertifiedPoint> points;
-  Eigen::VectorXd steady_singular_values;  ///< of R^-1/2 H Ph^1/2
-  Eigen::VectorXd pair_singular_values;    ///< of the observability matrix of (Axq, Cxq), noise-scaled
-  double condition = 0.0;                  ///< of R^-1/2 H Ph^1/2
+  Eigen::VectorXd steady_singular_values;   ///< of R^-1/2 H Ph^1/2
+  Eigen::VectorXd pair_singular_values;     ///< of the observability matrix of (Axq, Cxq), noise-scaled
+  double condition = 0.0;                   ///< of R^-1/2 H Ph^1/2
+  Eigen::VectorXd slow_bias_detectability;  ///< by sensor (detectability.h); empty in a file that does not tell it
 };
 
 }  // namespace ehm::design

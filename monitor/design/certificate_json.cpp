@@ -83,7 +83,8 @@ Json certificate_to_json(const Certificate& certificate, const std::string& file
           {"points", std::move(points)},
           {"steady_singular_values", vector(certificate.steady_singular_values, "steady_singular_values")},
           {"pair_singular_values", vector(certificate.pair_singular_values, "pair_singular_values")},
-          {"condition", certificate.condition}};
+          {"condition", certificate.condition},
+          {"slow_bias_detectability", vector(certificate.slow_bias_detectability, "slow_bias_detectability")}};
 }
 
 Certificate certificate_from_json(const Json& json, const std::string& file) {
@@ -108,6 +109,8 @@ Certificate certificate_from_json(const Json& json, const std::string& file) {
   certificate.steady_singular_values = any_vector(object, "steady_singular_values");
   certificate.pair_singular_values = any_vector(object, "pair_singular_values");
   certificate.condition = object.positive_number("condition");
+  if (object.find("slow_bias_detectability"))  // files of earlier versions do not tell it
+    certificate.slow_bias_detectability = any_vector(object, "slow_bias_detectability");
   object.refuse_unknown();
   return certificate;
 }

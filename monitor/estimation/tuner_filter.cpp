@@ -124,6 +124,7 @@ void TunerFilter::update(SensorMask fused) noexcept {
   for (Eigen::Index i = 0; i < innovation_.size(); ++i) {
     fused_innovation_(i) = used[static_cast<std::size_t>(i)] ? innovation_(i) : 0.0;
   }
+  if (carried_share_ > 0.0) carried_share_ -= carried_share_ * fading_;
   // xhat = xpred + K nu
   updated_.head(model().states) = predicted_.head(model().states);
   add_product(gain().K, fused_innovation_.data(), updated_.data());
@@ -133,6 +134,7 @@ void TunerFilter::update(SensorMask fused) noexcept {
 bool TunerFilter::switch_sensor_set(SensorSet set) noexcept {
   if (!available(set)) return false;
   if (set == set_) return true;
+  drop_carried();
   // Through the full set: exact, because each step keeps the predicted sensors of the smaller set.
   if (!set_.is_full()) {
     re_reference(gain().to_full);
@@ -154,6 +156,25 @@ void TunerFilter::re_reference(const BoundedMatrix<max_augmented, max_augmented>
   updated_ = re_referenced_;
 }
 
+void TunerFilter::shift(const AugmentedVector& delta) noexcept {
+  updated_.head(delta.size()) += delta;
+  read_out();
+}
+
+void TunerFilter::carry(const HealthVector& health, const AuxiliaryVector& auxiliary, double fading) noexcept {
+  drop_carried();
+  carried_health_ = health - health_;
+  carried_auxiliary_ = auxiliary - auxiliary_;
+  carried_share_ = 1.0;
+  fading_ = fading;
+  read_out();
+}
+
+void TunerFilter::drop_carried() noexcept {
+  carried_share_ = 0.0;
+  read_out();
+}
+
 bool TunerFilter::restore(SensorSet set, const AugmentedVector& estimate) noexcept {
   if (!available(set)) return false;
   const SensorSet before = set_;
@@ -162,6 +183,7 @@ bool TunerFilter::restore(SensorSet set, const AugmentedVector& estimate) noexce
     set_ = before;
     return false;
   }
+  carried_share_ = 0.0;
   updated_.setZero(estimate.size() + model().D.cols());
   updated_.head(estimate.size()) = estimate;
   predicted_.setZero();
@@ -171,6 +193,7 @@ bool TunerFilter::restore(SensorSet set, const AugmentedVector& estimate) noexce
 }
 
 void TunerFilter::reset() noexcept {
+  carried_share_ = 0.0;
   set_ = SensorSet::full();
   updated_.setZero(model().full.A.rows() + model().D.cols());
   predicted_.setZero(model().states + model().D.rows());
@@ -187,10 +210,12 @@ bool TunerFilter::available(SensorSet set) const noexcept {
 void TunerFilter::read_out() noexcept {
   // h = h_trim + W q, of Th = [0, W]
   health_ = model().health_trim;
+  if (carried_share_ > 0.0) health_ += carried_share_ * carried_health_;
   const Eigen::Index n = model().states, t = gain().A.rows() - n;
   add_product(gain().health_output.rightCols(t), updated_.data() + n, health_.data());
   // z = z_trim + Tz xhat + G u[k]
   auxiliary_ = model().auxiliary_trim;
+  if (carried_share_ > 0.0) auxiliary_ += carried_share_ * carried_auxiliary_;
   add_product(step().auxiliary, updated_.data(), auxiliary_.data());
 }
 

@@ -80,6 +80,12 @@ class TunerFilter {
   /// x, so that the predicted sensors of the new set, now and later, do not notice. Real-time safe: yes.
   /// @returns false, and changes nothing, if there is no design for that set.
   bool switch_sensor_set(SensorSet set) noexcept;
+  /// Lets health and auxiliary go on from these values after a change of the sensor set: what the other set knew of the
+  /// directions that this one does not see. Of it `fading` is lost with each sample, since wear may move, and all with
+  /// the next change. Real-time safe: yes.
+  void carry(const HealthVector& health, const AuxiliaryVector& auxiliary, double fading) noexcept;
+  /// Adds `delta` to xhat: takes out what a fault has put in. Real-time safe: yes.
+  void shift(const AugmentedVector& delta) noexcept;
   /// Goes on from an estimate that this filter had before: `estimate` is [x; q] of the design for `set`. Real-time
   /// safe: yes. @returns false, and changes nothing, if there is no such design or the length is not its.
   bool restore(SensorSet set, const AugmentedVector& estimate) noexcept;
@@ -141,6 +147,7 @@ class TunerFilter {
   }
   void re_reference(const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept;
   void read_out() noexcept;
+  void drop_carried() noexcept;
 
   std::shared_ptr<const Constants> constants_;
   SensorSet set_ = SensorSet::full();
@@ -149,8 +156,9 @@ class TunerFilter {
   BoundedVector<max_augmented + max_actuators> re_referenced_;  ///< before it replaces updated_
   SensorVector innovation_;
   SensorVector fused_innovation_;
-  HealthVector health_;
-  AuxiliaryVector auxiliary_;
+  HealthVector health_, carried_health_;
+  AuxiliaryVector auxiliary_, carried_auxiliary_;
+  double carried_share_ = 0.0, fading_ = 0.0;  ///< of what was carried; 0: nothing
 };
 
 }  // namespace ehm::estimation

@@ -17,6 +17,7 @@ struct Event {
   double value = 0.0;
   double threshold = 0.0;
   std::uint32_t detail = 0;  ///< sensor_fault: wire::reject_reason bits
+  double age_s = 0.0;        ///< how long before this sample it began; 0 where nobody knows
 };
 
 /// Events of one cycle. What does not fit is counted, never silently dropped.

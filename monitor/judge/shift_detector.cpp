@@ -7,28 +7,9 @@
 #include <stdexcept>
 
 #include "monitor/estimation/steady_gain.h"
+#include "monitor/judge/quantiles.h"
 
 namespace ehm::monitor {
-
-namespace {
-
-/// z with P(N > z) = tail, by bisection of the complementary error function.
-double normal_quantile_above(double tail) {
-  double low = 0.0, high = 40.0;
-  for (int i = 0; i < 80; ++i) {
-    const double z = 0.5 * (low + high);
-    (0.5 * std::erfc(z / std::sqrt(2.0)) > tail ? low : high) = z;
-  }
-  return low;
-}
-
-/// Wilson and Hilferty: chi-square with k degrees of freedom, at the quantile with normal deviate z.
-double chi_square_quantile(int k, double z) {
-  const double c = 2.0 / (9.0 * k);
-  return k * std::pow(1.0 - c + z * std::sqrt(c), 3);
-}
-
-}  // namespace
 
 ShiftDetector::Statistic ShiftDetector::make_statistic(const ShiftOptions& options, const design::Design& design,
                                                        const design::SubsetDesign& subset) {
@@ -52,7 +33,7 @@ ShiftDetector::Statistic ShiftDetector::make_statistic(const ShiftOptions& optio
   s.signature = factor.solve(response).transpose();
   s.signature_information = (s.signature * response).diagonal();
   const double looks_per_hour = 3600.0 / subset.slowest_time_constant_s;
-  s.threshold = chi_square_quantile(static_cast<int>(tuners),
+  s.threshold = chi_square_quantile(static_cast<double>(tuners),
                                     normal_quantile_above(options.false_alarm_per_hour / looks_per_hour));
   s.settling_samples =
       static_cast<std::int64_t>(std::ceil(4.0 * subset.slowest_time_constant_s / design.model.sample_time_s));
@@ -72,7 +53,7 @@ ShiftDetector::ShiftDetector(const ShiftOptions& options, const design::Design& 
 
 void ShiftDetector::reset() noexcept {
   next_ = filled_ = 0;
-  above_ = since_start_ = 0;
+  above_ = since_start_ = hold_ = 0;
 }
 
 Event ShiftDetector::isolate(const estimation::TunerVector& change) const noexcept {
@@ -90,7 +71,14 @@ Event ShiftDetector::isolate(const estimation::TunerVector& change) const noexce
   return {wire::EventKind::health_shift, static_cast<std::uint32_t>(best), true, scale * best_size, scale * least, 0};
 }
 
-void ShiftDetector::judge(const estimation::TunerVector& tuners, int missing, EventList& events) noexcept {
+void ShiftDetector::name(const Event& shift, EventList& events) noexcept {
+  if (condition_.raised()) return;
+  named_ = shift;
+  hold_ = static_cast<std::int64_t>(window_.size());
+  condition_.set(true, named_, events);
+}
+
+void ShiftDetector::judge(const estimation::TunerVector& tuners, int missing, bool wait, EventList& events) noexcept {
   if (missing != active_missing_) {
     active_missing_ = missing;
     active_ = missing < 0 ? &full_ : &*missing_[static_cast<std::size_t>(missing)];
@@ -111,14 +99,16 @@ void ShiftDetector::judge(const estimation::TunerVector& tuners, int missing, Ev
 
   const double statistic = change.dot(active_->information.lazyProduct(change));
   if (condition_.raised()) {
-    if (statistic < 0.5 * active_->threshold) {
+    if (hold_ > 0) {
+      --hold_;
+    } else if (statistic < 0.5 * active_->threshold) {
       above_ = 0;
       condition_.set(false, named_, events);
     }
     return;
   }
   above_ = statistic > active_->threshold ? above_ + 1 : 0;
-  if (above_ > persistence_samples_) {
+  if (!wait && above_ > persistence_samples_) {
     named_ = isolate(change);
     condition_.set(true, named_, events);
   }

@@ -13,7 +13,9 @@
 // value a_i* and threshold the smallest a_i* that D would see. Cleared when D is below half the threshold. Slow wear
 // does not raise it; a sensor bias below the innovation gate does look like a health change and is named as one. The
 // threshold is the chi-square quantile at false_alarm_per_hour over independent looks, by Wilson and Hilferty's cube
-// root. Source of the ratio: Basseville & Nikiforov, Detection of Abrupt Changes, ch. 7 (linear Gaussian case).
+// root. An abrupt change is usually named earlier by the fault detector (fault_detector.h); this comparison then only
+// tells when it has settled, and names what was too slow or too small for that. Source of the ratio: Basseville &
+// Nikiforov, Detection of Abrupt Changes, ch. 7 (linear Gaussian case).
 
 #include <optional>
 #include <vector>
@@ -30,8 +32,10 @@ class ShiftDetector {
   ShiftDetector(const ShiftOptions& options, const design::Design& design);
 
   /// Takes the estimate of one sample. `missing` is the sensor that the present design lacks, -1 for none; a change of
-  /// it starts the comparison anew. Real-time safe: yes.
-  void judge(const estimation::TunerVector& tuners, int missing, EventList& events) noexcept;
+  /// it starts the comparison anew. With `wait` nothing is named. Real-time safe: yes.
+  void judge(const estimation::TunerVector& tuners, int missing, bool wait, EventList& events) noexcept;
+  /// The fault detector has already found which parameter it was, and how much. Real-time safe: yes.
+  void name(const Event& shift, EventList& events) noexcept;
   /// Starts the comparison anew, after a restart of the filter. Real-time safe: yes.
   void reset() noexcept;
 
@@ -60,6 +64,7 @@ class ShiftDetector {
   std::vector<estimation::TunerVector> window_;  ///< ring of the last w estimates
   std::size_t next_ = 0, filled_ = 0;
   std::int64_t persistence_samples_, above_ = 0, since_start_ = 0;
+  std::int64_t hold_ = 0;  ///< samples until the window has seen the whole of a change that was named early
   Condition condition_;
   Event named_;
 };

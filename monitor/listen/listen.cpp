@@ -21,6 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double patience_s = 3.0;  // beside --seconds, for endpoints to match and the first sample to come
+
 /// What the middleware says on its own threads.
 class Complaints {
  public:
@@ -86,7 +88,7 @@ void declare(CLI::App& app, ListenOptions& options) {
   auto* listen = app.add_flag("--listen", options.wanted,
                               "do not estimate: verify what arrives on EngineSensors against the design, and exit 0 if "
                               "it is wired right");
-  app.add_option("--seconds", options.seconds, "how long --listen listens; 0 until Ctrl-C")
+  app.add_option("--seconds", options.seconds, "how long --listen listens, from the first sample on; 0 until Ctrl-C")
       ->check(CLI::Range(0.0, 1e6))
       ->needs(listen)
       ->capture_default_str();
@@ -113,11 +115,17 @@ bool listen(const MonitorConfig& config, const EngineTable& engines, const Liste
   Descriptions described;
   EngineSensors sample;
   int writers = 0;
-  const auto start = Clock::now();
-  while (!stop.requested() && (options.seconds == 0.0 || report.seconds < options.seconds)) {
+  auto start = Clock::now();
+  double limit_s = options.seconds + patience_s;
+  while (!stop.requested() && (options.seconds == 0.0 || report.seconds < limit_s)) {
     wait_set.wait(triggered, eprosima::fastrtps::Duration_t(0.05L));
-    while (sensors.take(sample))
+    while (sensors.take(sample)) {
+      if (report.sources.empty()) {
+        start = Clock::now();
+        limit_s = options.seconds;
+      }
       report.sources[{sample.engine_id(), sample.source_id()}].record.hear(sample, sensors.received_ns());
+    }
     hear_descriptions(descriptions, described);
     writers = std::max(writers, sensors.matched());
     report.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -1,6 +1,7 @@
 """The processes of a soak: started, killed, paused, watched."""
 
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -79,7 +80,8 @@ class Rig:
         monitor_domain = source_domain if options.accelerated else source_domain + 1
         build = options.build
         self.checkpoints = os.path.join(self.out, "checkpoints")
-        os.makedirs(self.checkpoints, exist_ok=True)
+        shutil.rmtree(self.checkpoints, ignore_errors=True)  # of an earlier soak
+        os.makedirs(self.checkpoints)
         self.monitor_toml = os.path.join(self.out, "monitor.toml")
         self.write_config()
         scenario = os.path.join(os.path.dirname(__file__), "engine.toml")

@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
+#include "monitor/design/detectability.h"
 #include "tuner_design/observability.h"
 #include "tuner_design/report/bar_chart.h"
 #include "tuner_design/report/heat_map.h"
@@ -65,6 +66,15 @@ DataTable strength_table(const Directions& directions, double sample_time_s) {
   return table;
 }
 
+DataTable detectability_table(const ReportData& data) {
+  DataTable table{{"sensor", "distance of a slow bias of 5 sigma"}, {}};
+  const Eigen::VectorXd detectability =
+      design::slow_bias_detectability(data.design.model, data.design.scaling, data.design.full.slowest_time_constant_s);
+  for (Eigen::Index i = 0; i < detectability.size(); ++i)
+    table.rows.push_back({data.design.model.sensors[static_cast<std::size_t>(i)].name, detectability(i)});
+  return table;
+}
+
 }  // namespace
 
 Section observability_section(const ReportData& data) {
@@ -97,6 +107,11 @@ Section observability_section(const ReportData& data) {
                      "A row is one combination; a strong colour in one column alone means that the sensors see that "
                      "parameter by itself. Blue and orange in a row move against each other.",
                      responsive(map), data_of(map, "combination"));
+  section.add_table("slow-bias",
+                    "A sensor that drifts away slowly looks like an engine that wears. The distance says how far from "
+                    "the fleet's wear a drift of five noise sigmas leads, in standard deviations; the monitor watches "
+                    "for slow bias where it is above 5.",
+                    detectability_table(data));
   return section;
 }
 

@@ -9,6 +9,7 @@
 #include "monitor/design/file_error.h"
 #include "tuner_design/check_report.h"
 #include "tuner_design/design_command.h"
+#include "tuner_design/faults/fault_study_command.h"
 #include "tuner_design/import_options.h"
 #include "tuner_design/linearise.h"
 #include "tuner_design/studies/simon_garg_table.h"
@@ -22,6 +23,7 @@ struct Arguments {
   std::string study, model, csv;
   ImportOptions import;
   SimonGargOptions options;
+  FaultStudyArguments faults;
   OutputOptions output;
 };
 
@@ -35,6 +37,12 @@ estimation::LinearModel cruise() {
 }
 
 void run_study(Arguments arguments, const Console& console) {
+  if (arguments.study == "faults") {
+    arguments.faults.options.seed = arguments.options.seed;
+    arguments.faults.options.threads = arguments.options.threads;
+    fault_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
+    return;
+  }
   arguments.options.table = arguments.study.back() - '0';
   const ImportedModel imported =
       arguments.model.empty() ? ImportedModel{cruise(), "", {}} : import_model(arguments.model, arguments.import);
@@ -70,10 +78,12 @@ void add_study_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<Arguments>();
   SimonGargOptions& options = arguments->options;
   options.threads = work::all_cores();
-  CLI::App* command = app.add_subcommand("study", "Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, on our engine");
-  command->add_option("study", arguments->study, "Which table")
+  CLI::App* command = app.add_subcommand("study",
+                                         "Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, on our engine; "
+                                         "or how well the monitor finds and names faults");
+  command->add_option("study", arguments->study, "Which table, or faults")
       ->required()
-      ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7"}));
+      ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults"}));
   command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
       ->type_name("MODEL");
   add_qh_option(*command, options.qh_percent2);
@@ -83,8 +93,10 @@ void add_study_command(CLI::App& app, Action& run) {
   command->add_option("--runs", options.runs, "Runs of 30 s of the Kalman filter")
       ->check(CLI::Range(std::size_t{10}, std::size_t{1'000'000}))
       ->capture_default_str();
+  add_fault_study_options(*command, arguments->faults);
   add_seed_option(*command, options.seed, "Of the random starts and of the experiments");
-  command->add_option("--csv", arguments->csv, "Write the table to this file too")->type_name("F.csv");
+  command->add_option("--csv,--out", arguments->csv, "Write the table (faults: a line a case) to this file too")
+      ->type_name("F.csv");
   command->add_option("--threads", options.threads, "The result does not depend on it; default: one a core")
       ->check(CLI::Range(1, 1024));
   add_import_options(*command, arguments->import);

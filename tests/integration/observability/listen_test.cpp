@@ -27,8 +27,8 @@ TEST_F(ListenTest, TheExampleInCIsWiredRightAndFeedsTheMonitor) {
   const auto monitor = start_monitor();
   const auto source = start_source(shipped_channels());
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 100; })) << source->log();
-  const auto listen = start_monitor({"--listen", "--seconds", "1.5"});
-  const auto listen_json = start_monitor({"--listen", "--seconds", "1.5", "--json"});
+  const auto listen = start_monitor({"--listen", "--seconds", "1"});
+  const auto listen_json = start_monitor({"--listen", "--seconds", "1", "--json"});
   EXPECT_EQ(listen->wait(seconds(20)), 0) << listen->log();
   EXPECT_THAT(listen->log(), testing::AllOf(HasSubstr("engine 7, source 1"), HasSubstr("verdict: OK")));
   EXPECT_EQ(listen_json->wait(seconds(20)), 0);
@@ -57,7 +57,7 @@ TEST_F(ListenTest, SwappedChannelsAreNamed) {
                                         "sensor,P24,Pa,147310,737\nsensor,T24,K,669.311,5.02\n"
                                         "sensor,Ps30,Pa,777.689,3.89\nsensor,T30,K,389.99,2.92\n"
                                         "sensor,T48,K,752.75,7.69\n"));
-  const auto listen = start_monitor({"--listen", "--seconds", "2"});
+  const auto listen = start_monitor({"--listen", "--seconds", "1"});
   EXPECT_EQ(listen->wait(seconds(20)), 1);
   EXPECT_THAT(listen->log(),
               testing::AllOf(HasSubstr("ERROR: sensor T24"), HasSubstr("swapped with T30?"),
@@ -71,14 +71,14 @@ TEST_F(ListenTest, SaysWhichPolicyKeepsAWriterOut) {
   qos.reliability().kind = eprosima::fastdds::dds::BEST_EFFORT_RELIABILITY_QOS;
   auto* writer = participant_.publisher()->create_datawriter(topic, qos);
   ASSERT_NE(writer, nullptr);
-  const auto listen = start_monitor({"--listen", "--seconds", "2"});
+  const auto listen = start_monitor({"--listen", "--seconds", "0.1"});
   EXPECT_EQ(listen->wait(seconds(20)), 1);
   EXPECT_THAT(listen->log(), testing::AllOf(HasSubstr("EngineSensors"), HasSubstr("QoS reliability")));
   participant_.publisher()->delete_datawriter(writer);
 }
 
 TEST_F(ListenTest, NobodyThereIsSaidWithTheRemedy) {
-  const auto listen = start_monitor({"--listen", "--seconds", "0.2", "--dds-partition", "fleet/none"});
+  const auto listen = start_monitor({"--listen", "--seconds", "0.1", "--dds-partition", "fleet/none"});
   EXPECT_EQ(listen->wait(seconds(20)), 1);
   EXPECT_THAT(listen->log(), HasSubstr("no writer of EngineSensors on domain " + std::to_string(domain_) +
                                        ", partition 'fleet/none': check"));

@@ -118,6 +118,15 @@ TEST_F(ReferenceNumbers, EveryMissingSensorHasADesignBelowThePrior) {
   }
 }
 
+TEST_F(ReferenceNumbers, DetectabilityOfASlowBias) {
+  // 5 sigma_i sqrt([(H Ph H^T + R/N)^-1]_ii), from numpy with R = 0: 0.95 2.44 2.08 9.45 1.70 5.48 5.92. The noise of
+  // the 133 samples within the slowest time constant takes less than 2 % of that.
+  const Eigen::VectorXd expected{{0.95, 2.44, 2.08, 9.45, 1.70, 5.48, 5.92}};
+  const Eigen::VectorXd found = designed(1e-3).certificate.slow_bias_detectability;
+  ASSERT_EQ(found.size(), 7);
+  for (Eigen::Index i = 0; i < 7; ++i) EXPECT_NEAR(found(i) / expected(i), 1.0, 0.02) << model.sensors[i].name;
+}
+
 TEST_F(ReferenceNumbers, Mapss) {
   const auto all = test::mapss();
   ASSERT_TRUE(all.has_value());

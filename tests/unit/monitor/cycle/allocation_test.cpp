@@ -57,6 +57,7 @@ TEST(Allocation, NoneOnTheCyclePath) {
     monitor::Sample s = flight.next();
     if (k >= 2500 && k < 2600) s.sensor[1] = std::numeric_limits<double>::quiet_NaN();
     if (k >= 3500 && k < 3600) s.sensor_valid &= ~0b11u;
+    if (k >= 2900 && k < 3000) s.sensor[2] += 8.0 * design->model.sensor_noise_sigma(2);
     if (k >= 4500 && k < 4510) s.actuator[0] *= 1.5;
     if (k >= 5000 && k < 5010) continue;
     if (k >= 5500) s.source_time_ns -= 60'000'000'000;

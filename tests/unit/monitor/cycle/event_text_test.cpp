@@ -11,6 +11,7 @@ using wire::EventKind;
 estimation::LinearModel model() {
   estimation::LinearModel m;
   m.sensors = {{"T30", "K", 667.0}};
+  m.sensor_noise_sigma = Eigen::VectorXd::Constant(1, 5.024);
   m.health = {{"hpc_efficiency", "fraction", 0.0}};
   m.auxiliary = {{"T40", "K", 1308.0}};
   return m;
@@ -24,6 +25,10 @@ TEST(EventText, SaysWhatHappenedToWhichChannel) {
   namespace reason = wire::reject_reason;
   EXPECT_EQ(text({EventKind::sensor_fault, 0, true, 1.4, 1.0, reason::stuck | reason::innovation_gate}),
             "sensor T30 is faulty (stuck, outside the innovation gate) and no longer used");
+  EXPECT_EQ(text({EventKind::sensor_fault, 0, true, 25.12, 6.0, reason::bias, 0.21}),
+            "sensor T30 is faulty (bias +25.12 K, +5.0 sigma, since 0.21 s) and no longer used");
+  EXPECT_EQ(text({EventKind::sensor_fault, 0, true, 1.7, 1.6, reason::noise}),
+            "sensor T30 is faulty (its noise grew 1.7 times or more) and no longer used");
   EXPECT_EQ(text({EventKind::sensor_fault, 0, false, 0.0, 0.0, 0}), "sensor T30 is good again and used");
   EXPECT_EQ(text({EventKind::health_shift, 0, true, -0.0174, 0.0121, 0}),
             "hpc_efficiency changed by -0.0174 fraction (noticeable from 0.0121)");

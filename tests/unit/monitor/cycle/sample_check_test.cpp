@@ -144,10 +144,24 @@ TEST(SampleTimeWatch, OneStepOfTheSourcesClockDoesNotMatterAnotherRateDoes) {
     d.dt_s = i == 20 ? 1.9 : sample_time_s;
     EXPECT_TRUE(watch.judge(d, events)) << i;
   }
-  d.dt_s = 4.0 * sample_time_s;
-  for (int i = 0; i < 64; ++i) watch.judge(d, events);
+  d.dt_s = 1.2 * sample_time_s;
+  for (int i = 0; i < 128; ++i) watch.judge(d, events);
   EXPECT_FALSE(watch.judge(d, events));
   EXPECT_EQ(events.size(), 1u);
+}
+
+TEST(SampleTimeWatch, ASourceThatWasHeldUpAndCatchesUpKeepsItsRate) {
+  // Stamped when they were measured by a process that the machine pauses for 0.12 s now and then: seven samples at
+  // once.
+  SampleTimeWatch watch(sample_time_s);
+  EventList events;
+  SampleDecision d{SampleVerdict::accepted, 1, 0, 0.0, sample_time_s};
+  for (int i = 0; i < 640; ++i) {
+    const int place = i % 40;
+    d.dt_s = place == 10 ? 8.0 * sample_time_s - 7e-4 : place > 10 && place <= 17 ? 1e-4 : sample_time_s;
+    EXPECT_TRUE(watch.judge(d, events)) << i;
+  }
+  EXPECT_EQ(events.size(), 0u);
 }
 
 TEST(SecondSourceWatch, SaysOnceAndEndsWhenTheOtherIsQuiet) {

@@ -1,0 +1,22 @@
+#include "monitor/design/detectability.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "monitor/estimation/steady_gain.h"
+
+namespace ehm::design {
+
+Eigen::VectorXd slow_bias_detectability(const estimation::LinearModel& model, const estimation::Scaling& scaling,
+                                        double slowest_time_constant_s) {
+  const estimation::LinearModel engine = estimation::scaled(model, scaling);
+  const Eigen::MatrixXd H = estimation::steady_gain(engine).H;
+  const Eigen::MatrixXd Ph = engine.health_sigma.cwiseAbs2().asDiagonal();
+  const double samples = std::max(1.0, slowest_time_constant_s / model.sample_time_s);
+  const Eigen::MatrixXd R = engine.sensor_noise_sigma.cwiseAbs2().asDiagonal();
+  const Eigen::MatrixXd spread = H * Ph * H.transpose() + R / samples;
+  const Eigen::MatrixXd inverse = spread.llt().solve(Eigen::MatrixXd::Identity(spread.rows(), spread.rows()));
+  return detectability_bias_sigmas * engine.sensor_noise_sigma.cwiseProduct(inverse.diagonal().cwiseSqrt());
+}
+
+}  // namespace ehm::design

@@ -1,0 +1,28 @@
+#pragma once
+// How well a slow bias of each sensor can be told from deterioration. A bias that grows slowly is seen only as where
+// the sensors have come to stand, and that is compared with where the fleet's deterioration may bring them:
+//
+//   detectability_i = 5 sigma_i sqrt([(H Ph H^T + R/N)^-1]_ii)
+//
+// the Mahalanobis distance of a bias of five noise sigmas in sensor i, as against the spread of the fleet's steady
+// sensors (m x m, scaled; R/N: what is left of the noise after the slowest time constant of the design, N samples).
+// With as many independent health parameters as sensors every bias is also some deterioration; the distance says how
+// far-fetched a one. It is at most 5 sqrt(N), and below 5 a fault of that size is no rarity in the fleet.
+// Source: Gelb, Applied Optimal Estimation, ch. 9 (consider covariance); the distance is Mahalanobis' (1936).
+// Errors: none for a design that was made.
+
+#include <Eigen/Core>
+
+#include "monitor/design/design.h"
+
+namespace ehm::design {
+
+inline constexpr double detectability_bias_sigmas = 5.0;
+/// Above it a slow bias is far enough from deterioration for an event.
+inline constexpr double least_detectability = 5.0;
+
+/// By sensor.
+Eigen::VectorXd slow_bias_detectability(const estimation::LinearModel& model, const estimation::Scaling& scaling,
+                                        double slowest_time_constant_s);
+
+}  // namespace ehm::design

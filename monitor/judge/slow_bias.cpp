@@ -1,0 +1,77 @@
+#include "monitor/judge/slow_bias.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "monitor/design/detectability.h"
+#include "monitor/estimation/steady_gain.h"
+#include "monitor/judge/quantiles.h"
+
+namespace ehm::monitor {
+
+namespace {
+
+constexpr double persistence_s = 5.0;
+constexpr double clear_share = 0.7, rival_share = 0.8;
+constexpr double ordinary_tail = 1e-3;
+
+}  // namespace
+
+SlowBias::SlowBias(const FaultOptions& options, const design::Design& design)
+    : threshold_(normal_quantile_above(0.5 * options.slow_bias_probability)),
+      persistence_samples_(std::llround(persistence_s / design.model.sample_time_s)),
+      conditions_(design.model.sensors.size()) {
+  const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
+  const Eigen::MatrixXd H = estimation::steady_gain(model).H;
+  const Eigen::Index m = H.rows();
+  Eigen::MatrixXd spread = H * model.health_sigma.cwiseAbs2().asDiagonal() * H.transpose() +
+                           H * design.full.health_noise_covariance * H.transpose();
+  if (model.linearisation_error.rows() > 0) spread += model.linearisation_error.topLeftCorner(m, m);
+  // Fewer tuners than sensors leave directions that the filter never believes in: noise keeps them finite.
+  const double samples = std::max(1.0, design.full.slowest_time_constant_s / model.sample_time_s);
+  spread += Eigen::MatrixXd(model.sensor_noise_sigma.cwiseAbs2().asDiagonal()) / samples;
+  const Eigen::MatrixXd inverse = spread.llt().solve(Eigen::MatrixXd::Identity(m, m));
+  const Eigen::VectorXd root = inverse.diagonal().cwiseSqrt();
+  const Eigen::MatrixXd HW = H * design.full.W;
+  whitened_ = root.cwiseInverse().asDiagonal() * inverse * HW;
+  distance_ = HW.transpose() * inverse * HW;
+  bias_per_z_ = design.scaling.sensor.cwiseQuotient(root);
+  ordinary_ = chi_square_quantile(static_cast<double>(m), normal_quantile_above(ordinary_tail));
+  const Eigen::VectorXd detectability =
+      design::slow_bias_detectability(design.model, design.scaling, design.full.slowest_time_constant_s);
+  for (Eigen::Index i = 0; i < m; ++i)
+    watched_[static_cast<std::size_t>(i)] = detectability(i) > design::least_detectability;
+}
+
+bool SlowBias::drifted(int sensor, double distance2) const noexcept {
+  const double z = std::abs(z_(sensor));
+  if (z < threshold_ || distance2 - z * z > ordinary_) return false;
+  for (Eigen::Index j = 0; j < z_.size(); ++j)
+    if (j != sensor && std::abs(z_(j)) > rival_share * z) return false;
+  return true;
+}
+
+void SlowBias::judge(const estimation::TunerVector& tuners, EventList& events) noexcept {
+  if (watched_.none()) return;
+  z_.noalias() = whitened_.lazyProduct(tuners);
+  const double distance2 = tuners.dot(distance_.lazyProduct(tuners));
+  for (int i = 0; i < z_.size(); ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    if (!watched_[s]) continue;
+    Condition& condition = conditions_[s];
+    above_[s] = drifted(i, distance2) ? above_[s] + 1 : 0;
+    const bool now = condition.raised() ? std::abs(z_(i)) > clear_share * threshold_ : above_[s] > persistence_samples_;
+    condition.set(now,
+                  {wire::EventKind::slow_bias, static_cast<std::uint32_t>(i), false, bias_per_z_(i) * z_(i),
+                   bias_per_z_(i) * threshold_, 0},
+                  events);
+  }
+}
+
+void SlowBias::reset(EventList& events) noexcept {
+  above_.fill(0);
+  for (std::size_t i = 0; i < conditions_.size(); ++i)
+    conditions_[i].set(false, {wire::EventKind::slow_bias, static_cast<std::uint32_t>(i), false, 0.0, 0.0, 0}, events);
+}
+
+}  // namespace ehm::monitor

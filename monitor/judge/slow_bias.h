@@ -1,0 +1,51 @@
+#pragma once
+// A sensor that drifts away slowly, where that can be told from wear at all. The filter follows a slow bias as if it
+// were health; so what counts is where the steady sensors that it believes in have come to stand:
+//
+//   ys  = H W q                               m, scaled, deviations from the design's trim
+//   Sy  = H Ph H^T + Lambda_yy + H Sh H^T     spread over the fleet, its nonlinearity, the filter's noise
+//   z_i = [Sy^-1 ys]_i / sqrt([Sy^-1]_ii)     a standard normal deviate while sensor i is well;
+//   b_i = [Sy^-1 ys]_i / [Sy^-1]_ii           the most likely bias, if only sensor i is biased
+//
+// Raised for sensor i, after five seconds in a row, when |z_i| exceeds the quantile of slow_bias_probability (per
+// engine, not per hour: the fleet is drawn once), without the bias the rest is an ordinary engine (ys^T Sy^-1 ys -
+// z_i^2 below the chi-square quantile of 0.999), and no other sensor comes near (|z_j| below 0.8 |z_i|). Cleared below
+// 0.7 of the threshold. Only sensors whose detectability exceeds 5 are watched (monitor/design/detectability.h). It is
+// advice: the sensor stays in use, since the fleet's spread is an assumption. Only with the full sensor set. Real-time
+// safe: yes, after construction.
+
+#include <cstdint>
+#include <vector>
+
+#include "monitor/design/design.h"
+#include "monitor/estimation/capacity.h"
+#include "monitor/judge/events.h"
+#include "monitor/options.h"
+
+namespace ehm::monitor {
+
+class SlowBias {
+ public:
+  SlowBias(const FaultOptions& options, const design::Design& design);
+
+  /// `tuners` of the full sensor set, converged.
+  void judge(const estimation::TunerVector& tuners, EventList& events) noexcept;
+  /// Takes back what is raised: the filter starts anew.
+  void reset(EventList& events) noexcept;
+  bool watches(int sensor) const noexcept { return watched_[static_cast<std::size_t>(sensor)]; }
+
+ private:
+  bool drifted(int sensor, double distance2) const noexcept;
+
+  estimation::BoundedMatrix<estimation::max_sensors, estimation::max_tuners> whitened_;  ///< D^-1/2 Sy^-1 H W: z = . q
+  estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> distance_;   ///< W^T H^T Sy^-1 H W
+  estimation::SensorVector bias_per_z_;                                                  ///< sensor units
+  estimation::SensorMask watched_;
+  double threshold_, ordinary_;
+  std::int64_t persistence_samples_;
+  estimation::SensorVector z_;
+  std::array<std::int64_t, estimation::max_sensors> above_{};
+  std::vector<Condition> conditions_;
+};
+
+}  // namespace ehm::monitor

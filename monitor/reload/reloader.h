@@ -1,0 +1,56 @@
+#pragma once
+// SIGHUP: reads configuration and designs again, and hands the new engine table to the cycle thread, which takes it
+// between two samples. Reading, checking and building all happen on this thread. What is invalid, or cannot change
+// while flying, is refused with its reason, and the old one flies on.
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "deploy/service/reload_signal.h"
+#include "monitor/config.h"
+#include "monitor/notice_board.h"
+#include "monitor/reload/table_exchange.h"
+
+namespace ehm::monitor {
+
+/// A configuration and the text of each of its keys.
+struct LoadedConfig {
+  MonitorConfig config;
+  std::map<std::string, std::string> values;
+};
+
+struct ReloadSource {
+  std::map<std::string, std::string> flying;  ///< the text of each key at start
+  /// Reads the same files, environment and command line again; throws what is wrong with them.
+  std::function<LoadedConfig()> read;
+};
+
+/// Why `wanted` cannot replace `flying` in flight: each key, its flying and its wanted value; empty if it can.
+std::string refused_changes(const std::map<std::string, std::string>& flying,
+                            const std::map<std::string, std::string>& wanted);
+
+class Reloader {
+ public:
+  Reloader(const ReloadSource& source, TableExchange& exchange, NoticeBoard& notices);
+  ~Reloader();
+
+ private:
+  void run();
+  void reload();
+
+  std::function<LoadedConfig()> read_;
+  TableExchange& exchange_;
+  NoticeBoard& notices_;
+  service::ReloadSignal signal_;
+  std::map<std::string, std::string> flying_;
+  /// Reports in flight point into the table before the flying one, so that it stays until the next reload.
+  std::unique_ptr<EngineTable> current_, previous_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace ehm::monitor

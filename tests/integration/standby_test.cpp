@@ -1,0 +1,189 @@
+// Two monitors fly one engine under exclusive ownership: whichever dies, a subscriber goes on, and sees no sample
+// twice.
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <random>
+#include <thread>
+
+#include "monitor/realtime/clock.h"
+#include "tests/integration/pair.h"
+#include "tests/temporary_folder.h"
+
+namespace {
+
+using namespace ehm;
+using namespace ehm::test;
+
+constexpr std::uint32_t first_id = 101, second_id = 102;  // strengths 20 and 10
+
+/// An estimate as a subscriber of the redundant profile sees it.
+struct Seen {
+  EngineHealth health;
+  std::int64_t received_ns;
+};
+
+/// What one death of the monitor that was heard looked like.
+struct Kill {
+  double first_ms = 0.0;    ///< from the kill to the other's first estimate
+  std::int64_t gap = 0;     ///< samples without an estimate
+  double step_sigma = 0.0;  ///< largest step of an estimate from the one to the other
+};
+
+/// One of the two monitors, and where it keeps its checkpoints.
+struct Member {
+  std::uint32_t source_id;
+  const char* strength;
+  TemporaryFolder folder;
+  std::unique_ptr<Process> process;
+};
+
+class StandbyTest : public PairTest {
+ protected:
+  StandbyTest() : redundant_participant_(redundant(options(domain_))), reader_(redundant_participant_) {}
+
+  static wire::ParticipantOptions redundant(wire::ParticipantOptions o) {
+    o.redundancy.exclusive = true;
+    return o;
+  }
+  void start(Member& m) {
+    m.process =
+        start_monitor({"--monitor-source-id", std::to_string(m.source_id), "--dds-ownership", "exclusive",
+                       "--dds-ownership-strength", m.strength, "--metrics-listen", "", "--monitor-status-period-s",
+                       "0.1", "--checkpoint-directory", m.folder.path(), "--checkpoint-period-s", "0.5"});
+  }
+  bool await(const std::function<bool()>& condition, seconds limit = seconds(20)) {
+    return listener_.await(
+        [&] {
+          EngineHealth h;
+          while (reader_.take(h)) seen_.push_back({h, reader_.received_ns()});
+          return condition();
+        },
+        limit);
+  }
+  bool await_source(std::uint32_t source_id) {
+    return await([&] { return !seen_.empty() && seen_.back().health.source_id() == source_id; });
+  }
+  /// Index of the first estimate from `source_id` at or after `from`.
+  std::size_t first_of(std::uint32_t source_id, std::size_t from) const {
+    return static_cast<std::size_t>(std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(from), seen_.end(),
+                                                 [&](const Seen& s) { return s.health.source_id() == source_id; }) -
+                                    seen_.begin());
+  }
+  std::int64_t gap_before(std::size_t i) const {
+    return static_cast<std::int64_t>(seen_[i].health.sequence_number() - seen_[i - 1].health.sequence_number()) - 1;
+  }
+  double step_before(std::size_t i) const {
+    const EngineHealth &a = seen_[i - 1].health, &b = seen_[i].health;
+    double worst = 0.0;
+    for (std::size_t k = 0; k < b.health_count(); ++k)
+      worst = std::max(worst, std::abs(b.health()[k] - a.health()[k]) / b.sigma_total()[k]);
+    return worst;
+  }
+  /// The member flies the engine since `since_ns`, settled, and has a checkpoint; true from the first status that says
+  /// so.
+  bool hot(const Member& m, std::int64_t since_ns) const {
+    return std::any_of(listener_.status.rbegin(), listener_.status.rend(), [&](const MonitorStatus& s) {
+      return s.source_id() == m.source_id && s.status_time_ns() > since_ns && s.samples_processed() > 0 &&
+             s.checkpoints_written() > 0 && !(s.flags() & wire::estimate_flag::converging);
+    });
+  }
+  /// Both are hot, and one of them is heard.
+  void start_both() {
+    start(first_);
+    start(second_);
+    simulator_ = start_simulator();
+    ASSERT_TRUE(await([&] { return hot(first_, 0) && hot(second_, 0); }, seconds(40)));
+    ASSERT_TRUE(await([&] { return !seen_.empty(); }));
+  }
+  Member& heard() { return seen_.back().health.source_id() == first_id ? first_ : second_; }
+  Member& other(const Member& m) { return &m == &first_ ? second_ : first_; }
+  Kill kill_and_return();
+  std::size_t doubles() const {
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < seen_.size(); ++i)
+      count += seen_[i].health.sequence_number() <= seen_[i - 1].health.sequence_number();
+    return count;
+  }
+
+  wire::Participant redundant_participant_;
+  wire::Reader<EngineHealth> reader_;
+  std::vector<Seen> seen_;
+  Member first_{first_id, "20", {}, {}}, second_{second_id, "10", {}, {}};
+  std::unique_ptr<Process> simulator_;
+  std::mt19937 random_{20101};
+};
+
+Kill StandbyTest::kill_and_return() {
+  // A random moment: some samples on, and anywhere between two samples.
+  const std::size_t on = seen_.size() + std::uniform_int_distribution<std::size_t>(3, 12)(random_);
+  EXPECT_TRUE(await([&] { return seen_.size() >= on; }));
+  std::this_thread::sleep_for(std::chrono::microseconds(std::uniform_int_distribution<int>(0, 15000)(random_)));
+  Member& dies = heard();
+  Member& stands_by = other(dies);
+  Kill kill;
+  const std::int64_t killed_ns = monitor::wall_clock_ns();
+  dies.process->signal(SIGKILL);
+  EXPECT_TRUE(await_source(stands_by.source_id));
+  const std::size_t first = first_of(stands_by.source_id, on);
+  kill.first_ms = 1e-6 * static_cast<double>(seen_[first].received_ns - killed_ns);
+  kill.gap = gap_before(first);
+  kill.step_sigma = step_before(first);
+  EXPECT_EQ(dies.process->wait(seconds(5)), 128 + SIGKILL);
+
+  start(dies);  // returns, and stands by
+  listener_.status.clear();
+  EXPECT_TRUE(await([&] { return hot(dies, killed_ns); })) << dies.process->log();
+  for (std::size_t i = first + 1; i < seen_.size(); ++i) {
+    EXPECT_EQ(seen_[i].health.source_id(), stands_by.source_id) << "the return was noticed";
+    EXPECT_EQ(gap_before(i), 0);
+  }
+  return kill;
+}
+
+double percentile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+TEST_F(StandbyTest, FiftyKills) {
+  constexpr int kills = 50;
+  start_both();
+  std::vector<double> first_ms, gaps, steps;
+  int within = 0;
+  std::printf("kill  first estimate of the other   gap         step\n");
+  for (int i = 0; i < kills && !HasFatalFailure(); ++i) {
+    const Kill k = kill_and_return();
+    std::printf("%3d   %7.1f ms after the kill   %3lld samples   %.3f sigma\n", i + 1, k.first_ms,
+                static_cast<long long>(k.gap), k.step_sigma);
+    std::fflush(stdout);
+    first_ms.push_back(k.first_ms);
+    gaps.push_back(static_cast<double>(k.gap));
+    steps.push_back(k.step_sigma);
+    within += k.first_ms <= 100.0 && k.gap <= 7;
+  }
+  std::printf(
+      "%d kills: first estimate p50 %.1f ms, p95 %.1f ms, max %.1f ms (asked 100); gap p50 %.0f, max %.0f samples "
+      "(asked 7); both within in %d of %d; step max %.3f sigma; doubles %zu of %zu samples (asked 0)\n",
+      kills, percentile(first_ms, 0.5), percentile(first_ms, 0.95), percentile(first_ms, 1.0), percentile(gaps, 0.5),
+      percentile(gaps, 1.0), within, kills, percentile(steps, 1.0), doubles(), seen_.size());
+  EXPECT_EQ(doubles(), 0u);
+  EXPECT_GE(within, kills - 2);  // a virtual machine may pause for longer than the lease
+  EXPECT_LT(percentile(steps, 1.0), 0.5);
+}
+
+TEST_F(StandbyTest, AnOrderedStopHandsOverWithoutAGap) {
+  start_both();
+  Member& stops = heard();
+  const std::size_t on = seen_.size();
+  stops.process->signal(SIGTERM);
+  ASSERT_TRUE(await_source(other(stops).source_id));
+  EXPECT_EQ(stops.process->wait(seconds(5)), 0);
+  const std::int64_t gap = gap_before(first_of(other(stops).source_id, on));
+  std::printf("ordered stop: %lld samples without an estimate\n", static_cast<long long>(gap));
+  EXPECT_LE(gap, 1);
+  EXPECT_EQ(doubles(), 0u);
+}
+
+}  // namespace

@@ -1,0 +1,81 @@
+// The study of the fault detector, reduced: one round of its table and half an hour with nothing broken. Its seed is
+// none that the detector was built with; margins are those of some 80 cases.
+
+#include "tuner_design/faults/fault_study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine_sim/model/engines/jt9d.h"
+#include "tests/unit/tuner_design/test_models.h"
+#include "tuner_design/design_tuner.h"
+#include "tuner_design/faults/fault_study_report.h"
+#include "tuner_design/linearise.h"
+
+namespace ehm::bench {
+namespace {
+
+const design::Design& cruise_design(LineariseMethod method) {
+  static const auto made = [](LineariseMethod each) {
+    LineariseOptions options;
+    options.flight = {10668.0, 0.8, 0.0};
+    options.demand = {engine::DemandKind::t40_k, cruise_t40_k};
+    options.method = each;
+    return design_tuner(linearise(engine::Turbofan(engine::jt9d()), options).model, {});
+  };
+  static const design::Design tangent = made(LineariseMethod::perturbation), fleet = made(LineariseMethod::fleet);
+  return method == LineariseMethod::fleet ? fleet : tangent;
+}
+
+FaultStudy studied(const design::Design& design, FaultStudyOptions options) {
+  return run_fault_study(design, options, [](double) {});
+}
+
+const FaultRowSummary& row(const FaultStudy& study, const std::string& name) {
+  return *std::find_if(study.rows.begin(), study.rows.end(), [&](const auto& r) { return r.row->name == name; });
+}
+
+TEST(FaultStudy, ARoundAndHalfAnHour) {
+  const FaultStudy study = studied(cruise_design(LineariseMethod::fleet), {80, 0.5, 77, 2});
+  EXPECT_GE(study.found, 0.9);
+  EXPECT_GE(study.right_sensor, 0.75);
+  EXPECT_GE(study.component_not_sensor, 0.8);
+  EXPECT_LE(study.false_alarms, 1u);
+  EXPECT_GE(study.fault_free_hours, 0.3);
+  EXPECT_LE(study.not_flown, 12u);
+  for (const char* name : {"bias +10 sigma", "bias -10 sigma", "stuck", "noise x 4", "dropout"})
+    EXPECT_GE(row(study, name).right + 1, row(study, name).flown) << name;
+  EXPECT_EQ(row(study, "nothing").right, row(study, "nothing").flown);
+  EXPECT_EQ(row(study, "drift 10 sigma/min").wrong_sensor, 0u);
+}
+
+TEST(FaultStudy, TheTangentModelServesToo) {
+  const FaultStudy study = studied(cruise_design(LineariseMethod::perturbation), {80, 0.0, 78, 2});
+  EXPECT_GE(study.found, 0.85);
+  EXPECT_GE(study.right_sensor, 0.7);
+  EXPECT_GE(study.component_not_sensor, 0.8);
+}
+
+TEST(FaultStudy, IsTheSameOnAnyNumberOfThreadsAndReportsEveryCase) {
+  const design::Design& design = cruise_design(LineariseMethod::fleet);
+  const FaultStudy one = studied(design, {12, 0.0, 5, 1}), three = studied(design, {12, 0.0, 5, 3});
+  const std::string csv = fault_study_as_csv(one);
+  EXPECT_EQ(csv, fault_study_as_csv(three));
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), 1 + 12 - one.not_flown);
+  const auto json = fault_study_as_json(one);
+  EXPECT_EQ(json["confusion"].size(), 7u + 10u + 1u);
+}
+
+TEST(FaultStudy, RefusesADesignOfAnotherEngine) {
+  const design::Design other = design_tuner(test::made_up_model(7, 10), {});
+  EXPECT_THAT(
+      [&] {
+        studied(other, {1, 0.0, 1, 1});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("allowed: jt9d")));
+}
+
+}  // namespace
+}  // namespace ehm::bench

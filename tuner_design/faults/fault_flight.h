@@ -1,0 +1,40 @@
+#pragma once
+// One engine of the fleet flies before the very cycle that the monitor flies: nonlinear engine, its control holding the
+// fan speed at the design's operating point, sensors with the noise of the simulator, no DDS.
+//
+// Health is drawn from the design's fleet, h ~ N(0, Ph). The filter gets the time to converge; then the case breaks, at
+// a random moment. What the monitor says from there on is its answer; what it said before is a false alarm.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "monitor/prepared_design.h"
+#include "tuner_design/faults/fault_case.h"
+
+namespace ehm::bench {
+
+enum class Answer { nothing, sensor, component, ambiguous, slow_bias };
+
+struct FaultOutcome {
+  bool flown = false;                ///< false: no steady point, or too far off the design to estimate
+  Answer answer = Answer::nothing;   ///< the first name; ambiguous only if no name came
+  std::size_t channel = 0;           ///< of the answer: sensor or health parameter
+  std::optional<double> delay_s;     ///< from the onset to whatever was said first
+  double size = 0.0;                 ///< as the event says, channel units
+  double largest_step_sigmas = 0.0;  ///< of a health estimate when another sensor set took over, in published sigmas
+  int false_alarms = 0;              ///< before the onset, or with nothing broken
+};
+
+/// @throws std::invalid_argument if the nonlinear engine has other sensors or controls than the design (names them).
+monitor::PreparedDesign study_engine(const design::Design& design);
+
+/// The same seed and index give the same flight. Callable by several threads at once.
+FaultOutcome fly_case(const monitor::PreparedDesign& engine, const FaultCase& what, std::uint64_t seed,
+                      std::uint64_t index);
+
+/// A flight of `seconds` with nothing broken; false alarms are counted after convergence.
+FaultOutcome fly_healthy(const monitor::PreparedDesign& engine, double seconds, std::uint64_t seed,
+                         std::uint64_t index);
+
+}  // namespace ehm::bench

@@ -1,0 +1,24 @@
+#pragma once
+// `tuner_design study faults --design D.json`: how well the monitor finds and names faults on the nonlinear engine.
+
+#include <string>
+
+#include "tuner_design/command.h"
+#include "tuner_design/faults/fault_study.h"
+
+namespace ehm::bench {
+
+struct FaultStudyArguments {
+  std::string design;
+  FaultStudyOptions options;
+};
+
+/// --design, --cases, --hours; seed and threads are the study command's.
+void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments);
+
+/// Flies, prints, and writes `csv` unless it is empty.
+/// @throws design::FileError if the design file is bad or not for the nonlinear engine.
+void fault_study_of_file(const FaultStudyArguments& arguments, const std::string& csv, const OutputOptions& output,
+                         const Console& console);
+
+}  // namespace ehm::bench
