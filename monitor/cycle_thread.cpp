@@ -50,8 +50,10 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(commands_.condition());
   triggered_.reserve(2);
-  if (participant.options().redundancy.exclusive)
-    peers_ = std::make_unique<PeerWatch>(participant, source_id_, [this](std::uint32_t s) { return set_strength(s); });
+  if (!participant.options().redundancy.exclusive) return;
+  peers_ = std::make_unique<PeerWatch>(participant, source_id_, [this](std::uint32_t s) { return set_strength(s); });
+  turn_ns_ = start_ns_;
+  quiet_until_ns_ = start_ns_ + quiet_ns;
 }
 
 void CycleThread::run_once() {
@@ -234,10 +236,7 @@ bool CycleThread::set_strength(std::uint32_t strength) {
 }
 
 void CycleThread::notice_stall(std::int64_t now_ns) {
-  if (now_ns - turn_ns_ > longest_turn_ns) {
-    peers_->yield();
-    quiet_until_ns_ = now_ns + quiet_ns;
-  }
+  if (now_ns - turn_ns_ > longest_turn_ns && peers_->yield()) quiet_until_ns_ = now_ns + quiet_ns;
   turn_ns_ = now_ns;
 }
 

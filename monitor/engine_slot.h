@@ -28,6 +28,8 @@ struct EngineSlot {
     losing_records = before.losing_records;
     status_level = before.status_level;
     status_counters = before.status_counters;
+    status_records_lost = before.status_records_lost;
+    losing_records = before.losing_records;
   }
 
   std::uint32_t engine_id = 0;  ///< 0: not assigned yet

@@ -8,6 +8,7 @@
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/dds/event_text.h"
+#include "monitor/dds/printable.h"
 #include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
@@ -131,7 +132,7 @@ void Reporter::say(const Notice& notice) {
   event.source_time_ns(wall_clock_ns());
   event.value(notice.value);
   event.threshold(notice.threshold);
-  event.message() = notice.text.c_str();
+  event.message() = printable(notice.text).c_str();
   publish(event);
 }
 

@@ -53,7 +53,7 @@ struct Checkpoints {
             refused),
         keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s) {
     for (const auto& r : refused)
-      reporter.say({wire::EventKind::checkpoint, true, r.why + ". The filter starts cold", r.engine_id});
+      reporter.say({wire::EventKind::checkpoint, true, "cold start: " + r.why, r.engine_id});
   }
   std::vector<RefusedCheckpoint> refused;
   CheckpointWriter writer;

@@ -30,7 +30,7 @@ struct Options {
   std::string partition, security;
   double seconds = 0.0;
   double timeout_s = 30.0;
-  bool json = false;
+  bool json = false, redundant = false;
   std::string csv;
 };
 
@@ -123,6 +123,7 @@ int main(int argc, char** argv) {
   app.add_option("--security,--dds-security", options.security,
                  "directory of certificates and permissions that make_security.sh made")
       ->envname("EHM_DDS_SECURITY");
+  app.add_flag("--redundant", options.redundant, "ask for exclusive ownership, as monitors with a standby offer it");
   app.add_option("--engine", options.engine, "engine_id to show")
       ->check(CLI::Range(1u, 4294967295u))
       ->capture_default_str();
@@ -156,6 +157,7 @@ int main(int argc, char** argv) {
     participant_options.domain = options.domain;
     participant_options.name = "ehm_watch";
     participant_options.partition = options.partition;
+    participant_options.redundancy.exclusive = options.redundant;
     participant_options.security = options.security;
     participant_options.on_incompatible = [](const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
     wire::Participant participant(participant_options);

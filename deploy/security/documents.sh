@@ -20,7 +20,7 @@ may_subscribe() {
   local shown='EngineHealth EngineAuxiliary EngineResiduals EngineDescription MonitorStatus HealthEvent EngineTruth'
   case $1 in
     sensor_source) echo SimCommand EngineResiduals ;;
-    monitor) echo EngineSensors EngineDescription MonitorCommand ;;
+    monitor) echo EngineSensors EngineDescription EngineHealth MonitorCommand ;; # EngineHealth: of its partner
     viewer | operator) echo "$shown" ;;
   esac
 }

@@ -29,11 +29,16 @@ PeerWatch::~PeerWatch() {
 
 void PeerWatch::run() {
   while (!stopped()) {
-    listen_until_alone();
+    try {
+      listen_until_alone();
+    } catch (const wire::DdsError& e) {
+      spdlog::error("this monitor may not hear its partner, and keeps its configured strength: {}", e.what());
+      return;
+    }
     if (stopped()) return;
     set(configured_ + incumbent_bonus, "only this monitor is heard: one that returns stands by until this one ends");
-    yield_.store(false, std::memory_order_relaxed);
-    while (!stopped() && !yield_.load(std::memory_order_relaxed)) std::this_thread::sleep_for(poll);
+    incumbent_.store(true, std::memory_order_relaxed);
+    while (!stopped() && incumbent_.load(std::memory_order_relaxed)) std::this_thread::sleep_for(poll);
     if (!stopped()) set(configured_, "held up for longer than the lease: another monitor may fly on");
   }
 }

@@ -29,8 +29,9 @@ class PeerWatch {
   /// `source_id` is ours; `set_strength` is called on the watch's thread and tells whether it went.
   PeerWatch(wire::Participant& participant, std::uint32_t source_id, std::function<bool(std::uint32_t)> set_strength);
   ~PeerWatch();
-  /// We have been passed over. Real-time safe: yes.
-  void yield() noexcept { yield_.store(true, std::memory_order_relaxed); }
+  /// We were held up and have been passed over. False if nothing was lost by that: we were not the incumbent. Real-time
+  /// safe: yes.
+  bool yield() noexcept { return incumbent_.exchange(false, std::memory_order_relaxed); }
 
  private:
   void run();
@@ -42,7 +43,7 @@ class PeerWatch {
   std::uint32_t source_id_;
   std::uint32_t configured_;
   std::function<bool(std::uint32_t)> set_strength_;
-  std::atomic<bool> yield_{false}, stop_{false};
+  std::atomic<bool> incumbent_{false}, stop_{false};
   std::thread thread_;
 };
 

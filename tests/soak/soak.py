@@ -158,6 +158,8 @@ class Soak:
 
     def watch_processes(self):
         for service in self.rig.services():
+            if service is self.rig.agent and service.ended_by_itself():
+                sys.exit(f"soak.sh: the agent ended, see {service.log_path}")
             if service.ended_by_itself():
                 self.record.unexpected_exits.append((service.name, self.t, service.process.returncode))
                 self.say(f"{service.name} ended by itself with {service.process.returncode}; started again")

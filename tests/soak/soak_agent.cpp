@@ -102,7 +102,7 @@ class Agent {
     line["what"] = what;
     line["t"] = flown_.seconds();
     line["wall"] = 1e-9 * static_cast<double>(monitor::monotonic_ns());
-    std::cout << line.dump() << std::endl;
+    std::cout << line.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
   }
 
   void hear(const EngineSensors& s) {

@@ -1,4 +1,5 @@
 #include "monitor/dds/event_text.h"
+#include "monitor/dds/printable.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,10 @@ TEST(EventText, FitsTheWire) {
   estimation::LinearModel m = model();
   m.health[0] = {std::string(63, 'h'), std::string(31, 'u'), 0.0};
   EXPECT_LE(monitor::event_text({EventKind::health_shift, 0, true, -0.123456, 0.123456, 0}, m).size(), 255u);
+}
+
+TEST(Printable, KeepsTextAndNothingElse) {
+  EXPECT_EQ(monitor::printable("state/engine_1.json: 'x' \xff\n\x7f"), "state/engine_1.json: 'x' ???");
 }
 
 }  // namespace
