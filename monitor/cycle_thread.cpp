@@ -225,6 +225,7 @@ void CycleThread::exchange_table() {
     old.cycle.reset();  // clears what it had raised, and says that the filter starts anew
     report_events(old);
     reports_.push({Report::Kind::new_engine, now.engine_id, &now.cycle.design(), {}, 0, 0, {}, {}});
+    if (records_) records_->marker(now, recording::RowKind::resumed);
   });
   exchange_.retired.store(engines_, std::memory_order_release);
   engines_ = next;

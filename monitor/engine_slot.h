@@ -23,6 +23,9 @@ struct EngineSlot {
     writes_refused = before.writes_refused;
     status_ns = before.status_ns;
     status_received = before.status_received;
+    recorded_loss_after = before.recorded_loss_after;
+    status_records_lost = before.status_records_lost;
+    losing_records = before.losing_records;
     status_level = before.status_level;
     status_counters = before.status_counters;
     status_records_lost = before.status_records_lost;

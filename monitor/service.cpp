@@ -87,7 +87,9 @@ void run_service(const MonitorConfig& config, EngineTable& engines, const Reload
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
   TableExchange exchange;
-  const Reloader reloader(source, exchange, notices);
+  const Reloader reloader(source, exchange, notices, [&](const EngineTable& table) {
+    if (recorder) recorder->know(table);
+  });
   CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr,
                     recorder ? &recorder->feed() : nullptr, exchange);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,

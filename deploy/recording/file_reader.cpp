@@ -20,13 +20,18 @@ FileReader::FileReader(const std::string& path) : path_(path) {
 void FileReader::open() {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path_, error)) throw FileError(path_ + ": no such file; name a recording");
-  const hid_t plain = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  // HDF5 reads metadata again that a live writer is just changing, after 1, 2, 4 ns ...: 30 ms in all. Its default
+  // would wait for centuries when a killed writer has left half a change behind.
+  constexpr unsigned read_attempts = 25;
+  const Hdf5Object access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  check(H5Pset_metadata_read_attempts(access, read_attempts), path_, "limit the attempts to read");
+  const hid_t plain = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access);
   if (plain >= 0) {
     file_ = Hdf5Object(plain, H5Fclose);
     return;
   }
   // The mark of a writer that has not closed it refuses plain readers.
-  file_ = own(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose, path_,
+  file_ = own(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose, path_,
               "read this as a recording (HDF5)");
   unfinished_ = true;
 }

@@ -1,5 +1,7 @@
 #pragma once
-// Writes one recording file so that it is readable at any moment: while it grows, and after kill -9.
+// Writes one recording file so that it is readable at any moment: while it grows, and after kill -9. One exception
+// remains: a kill within the microsecond in which the kernel copies a piece of HDF5's metadata from one memory page to
+// the next leaves half of it, and the reader refuses the file.
 //
 // HDF5's single-writer mode (SWMR) orders its own metadata; the order of ours is: all tables of doubles and the design
 // hashes first, flushed, then A, flushed. A row of A therefore never comes without its values. Rows wait in memory for

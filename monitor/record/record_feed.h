@@ -3,6 +3,8 @@
 // on the cycle, in their order, through a bounded queue. What the queue refuses is counted, and the next row tells how
 // many are missing before it. Real-time safe: yes, all but the constructor.
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "monitor/realtime/clock.h"
@@ -13,7 +15,7 @@ namespace ehm::monitor {
 
 struct Record {
   recording::Row row;
-  const design::Design* design = nullptr;  ///< whose estimates these are; lives as long as the engine table
+  std::array<char, 64> design_hash{};  ///< whose estimates these are; a copy, since a reload may free the design
 };
 
 /// Two seconds of a hundred engines at 15 ms.
@@ -48,7 +50,8 @@ class RecordFeed {
   void push(const EngineSlot& slot) noexcept {
     next_.row.a.received_ns = monotonic_ns();
     next_.row.a.lost_before = static_cast<std::int64_t>(queue_.overflow());
-    next_.design = &slot.cycle.design();
+    const std::string& hash = slot.cycle.design().hash;
+    std::copy_n(hash.begin(), std::min(hash.size(), next_.design_hash.size()), next_.design_hash.begin());
     queue_.push(next_);
   }
 

@@ -22,21 +22,27 @@ constexpr double bytes_per_mb = 1e6;
 
 Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines)
     : options_(config.record), feed_(std::make_unique<RecordFeed>()) {
-  const design::Design* first = nullptr;
-  for (const design::Design* design : engines.designs()) {
-    if (!first) first = design;
-    if (recorded_channels(*design) != recorded_channels(*first))
-      throw ConfigError("'record.file' is '" + options_.file + "', but the designs " + first->hash.substr(0, 12) +
-                        " and " + design->hash.substr(0, 12) +
-                        " have different channels; a recording has one set of them: run one monitor for each");
-  }
+  know(engines);
+  const design::Design& first = *engines.designs().front();
   info_.recording_id = wall_clock_ns();
   info_.part = 0;
   info_.monitor_source_id = config.source_id;
-  info_.sample_time_s = first->model.sample_time_s;
+  info_.sample_time_s = first.model.sample_time_s;
   info_.created_by = "monitor";
-  begin_part(recorded_channels(*first));
+  begin_part(recorded_channels(first));
   thread_ = std::thread([this] { run(); });
+}
+
+void Recorder::know(const EngineTable& engines) {
+  const auto designs = engines.designs();
+  const recording::Channels channels = recorded_channels(*designs.front());
+  for (const design::Design* design : designs)
+    if (recorded_channels(*design) != channels)
+      throw ConfigError("'record.file' is '" + options_.file + "', but the designs " +
+                        designs.front()->hash.substr(0, 12) + " and " + design->hash.substr(0, 12) +
+                        " have different channels; a recording has one set of them: run one monitor for each");
+  const std::lock_guard lock(mutex_);
+  for (const design::Design* design : designs) known_[design->hash] = channels;
 }
 
 Recorder::~Recorder() {
@@ -50,7 +56,7 @@ void Recorder::begin_part(recording::Channels channels) {
     info_.part = 0;
   }
   writer_.reset();  // closed before the oldest are counted
-  design_ = nullptr;
+  design_hash_.clear();
   ++info_.part;
   info_.channels = std::move(channels);
   recording::remove_oldest_parts(options_.file, options_.max_files - 1);
@@ -100,14 +106,19 @@ void Recorder::take_all() {
 }
 
 void Recorder::append(const Record& record) {
-  if (record.design != design_) {
-    if (auto channels = recorded_channels(*record.design); channels != writer_->channels())
-      begin_part(std::move(channels));
-    design_index_ = writer_->design_index(record.design->hash);
-    design_ = record.design;
+  const std::string_view hash(record.design_hash.data(), record.design_hash.size());
+  if (hash != design_hash_) {
+    if (auto channels = channels_of(hash); channels != writer_->channels()) begin_part(std::move(channels));
+    design_index_ = writer_->design_index(std::string(hash));
+    design_hash_ = hash;
   }
   if (writer_->pending() == 0) oldest_pending_ = steady_clock::now();
   writer_->append(record.row, design_index_);
+}
+
+recording::Channels Recorder::channels_of(std::string_view hash) {
+  const std::lock_guard lock(mutex_);
+  return known_.at(std::string(hash));
 }
 
 void Recorder::commit_when_due() {

@@ -10,7 +10,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
 #include <thread>
 
 #include "deploy/recording/writer.h"
@@ -27,6 +31,9 @@ class Recorder {
   ~Recorder();
 
   RecordFeed& feed() { return *feed_; }
+  /// Before a table flies: makes its designs known. From any thread.
+  /// @throws config::ConfigError if their channels differ.
+  void know(const EngineTable& engines);
 
  private:
   void run();
@@ -34,6 +41,7 @@ class Recorder {
   void append(const Record& record);
   void commit_when_due();
   void begin_part(recording::Channels channels);
+  recording::Channels channels_of(std::string_view hash);
   /// Runs a step that may fail; recording ends if it does.
   template <class Step>
   void attempt(Step step);
@@ -41,8 +49,10 @@ class Recorder {
   RecordOptions options_;
   recording::FileInfo info_;
   std::unique_ptr<RecordFeed> feed_;
-  std::unique_ptr<recording::Writer> writer_;  ///< null: given up
-  const design::Design* design_ = nullptr;     ///< of the latest row
+  std::unique_ptr<recording::Writer> writer_;         ///< null: given up
+  std::mutex mutex_;                                  ///< of known_
+  std::map<std::string, recording::Channels> known_;  ///< by the hash of their design
+  std::string design_hash_;                           ///< of the latest row
   std::int64_t design_index_ = 0;
   std::chrono::steady_clock::time_point oldest_pending_;
   std::atomic<bool> stop_{false};

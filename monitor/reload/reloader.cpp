@@ -42,8 +42,13 @@ std::string refused_changes(const std::map<std::string, std::string>& flying,
   return text;
 }
 
-Reloader::Reloader(const ReloadSource& source, TableExchange& exchange, NoticeBoard& notices)
-    : read_(source.read), exchange_(exchange), notices_(notices), flying_(source.flying), thread_([this] { run(); }) {}
+Reloader::Reloader(const ReloadSource& source, TableExchange& exchange, NoticeBoard& notices, Before before)
+    : read_(source.read),
+      before_(std::move(before)),
+      exchange_(exchange),
+      notices_(notices),
+      flying_(source.flying),
+      thread_([this] { run(); }) {}
 
 Reloader::~Reloader() {
   stop_.store(true, std::memory_order_relaxed);
@@ -65,6 +70,7 @@ void Reloader::reload() {
     if (const std::string refused = refused_changes(flying_, wanted.values); !refused.empty())
       throw config::ConfigError(refused);
     table = std::make_unique<EngineTable>(wanted.config);
+    before_(*table);
   } catch (const std::exception& e) {
     exchange_.refused.fetch_add(1, std::memory_order_relaxed);
     notices_.post({wire::EventKind::configuration, true,

@@ -35,7 +35,9 @@ std::string refused_changes(const std::map<std::string, std::string>& flying,
 
 class Reloader {
  public:
-  Reloader(const ReloadSource& source, TableExchange& exchange, NoticeBoard& notices);
+  /// `before` sees each new table before it flies; what it throws refuses the reload.
+  using Before = std::function<void(const EngineTable&)>;
+  Reloader(const ReloadSource& source, TableExchange& exchange, NoticeBoard& notices, Before before);
   ~Reloader();
 
  private:
@@ -43,6 +45,7 @@ class Reloader {
   void reload();
 
   std::function<LoadedConfig()> read_;
+  Before before_;
   TableExchange& exchange_;
   NoticeBoard& notices_;
   service::ReloadSignal signal_;
