@@ -95,6 +95,12 @@ def components_called_sensors(record):
     return wrong / len(steps) if steps else 0.0
 
 
+def silent(record):
+    """Disturbances over which the event that they must raise, or clear, did not come."""
+    return sum(1 for d in record.disturbances if "must_raise" in d.about and d.end_t is not None and
+               d.about["must_raise"] not in [(e["kind"], e["raised"]) for e in d.events])
+
+
 def within_3(record):
     values = inside = 0
     for s in record.seconds:
@@ -113,6 +119,7 @@ def measure(record, warm_up_s):
         "double_estimates": record.doubles,
         "counter_mismatches": mismatches(record),
         "unexplained_events": len(record.unexplained),
+        "missing_events": silent(record),
         "unexpected_exits": len(record.unexpected_exits),
         "rss_growth_mb": growth(record, "rss_mb", warm_up_s),
         "fd_growth": growth(record, "fds", warm_up_s),

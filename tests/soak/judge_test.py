@@ -71,6 +71,15 @@ class JudgeTest(unittest.TestCase):
         self.assertEqual([(e["at"], e["during"]) for e in self.record.unexplained],
                          [(50.0, "calm"), (101.0, "sensor bias")])
 
+    def test_a_reload_of_which_no_event_tells(self):
+        self.record.disturbances = [fault(100.0, kind="reload", must_find=False, must_raise=(14, False))]
+        self.record.disturbances[0].allowed = {14}
+        self.assertEqual(self.measured()["missing_events"], 1)
+        self.record.hear_event(event(101.0, 14, raised=True))   # refused
+        self.assertEqual(self.measured()["missing_events"], 1)
+        self.record.hear_event(event(102.0, 14, raised=False))
+        self.assertEqual(self.measured()["missing_events"], 0)
+
     def test_detection_wants_the_right_sensor_in_time(self):
         self.record.disturbances = [fault(100.0), fault(200.0), fault(300.0), fault(400.0)]
         self.record.hear_event(event(101.0, 1))             # right

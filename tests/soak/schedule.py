@@ -98,10 +98,10 @@ def network(rig, rng, t, wall):
 
 
 def reload(rig, rng, t, wall):
-    period_s = rng.choice([0.5, 1.0, 2.0])
+    level = rng.choice(["info", "debug"])
     return Disturbance(
         "reload", t, wall,
-        [("wall", 0.0, lambda: (rig.write_config(status_period_s=period_s), rig.monitor.signal(signal.SIGHUP)))],
+        [("wall", 0.0, lambda: (rig.write_config(log_level=level), rig.monitor.signal(signal.SIGHUP)))],
         3.0, 5.0, {CONFIGURATION}, must_raise=(CONFIGURATION, False))
 
 

@@ -59,14 +59,15 @@ class Service:
             return None
 
 
-MONITOR_TOML = """# The soak's monitor; a reload changes the status period.
+MONITOR_TOML = """# The soak's monitor; a reload changes how much is logged.
 [monitor]
 design = "{design}"
 clock = "{clock}"
-status_period_s = {status_period_s}
 [checkpoint]
 directory = "{checkpoints}"
 period_s = 2.0
+[log]
+level = "{log_level}"
 """
 
 
@@ -105,9 +106,9 @@ class Rig:
             f"{build}/tests/tools/ehm_hostile", "--domain", str(monitor_domain), "--duration-s", "0", "--seed", str(options.seed)],
             log("hostile"))
 
-    def write_config(self, design=None, status_period_s=1.0):
+    def write_config(self, design=None, log_level="info"):
         with open(self.monitor_toml, "w") as f:
-            f.write(MONITOR_TOML.format(design=design or self.options.design, status_period_s=status_period_s,
+            f.write(MONITOR_TOML.format(design=design or self.options.design, log_level=log_level,
                                         clock="source" if self.options.accelerated else "monotonic",
                                         checkpoints=self.checkpoints))
 
