@@ -42,4 +42,6 @@ if [ "$full" = yes ]; then
   ctest --test-dir "$build" -R '^integration.(linearise|design)$'
   tests/fleet/namespaces.sh "$build" "$build/tests/integration/design.json" || [ $? -eq 77 ]
 fi
-ctest --test-dir "$build" --output-on-failure -j2
+# A second try: tests with real processes in real time meet pauses of a virtual machine that are longer than a lease of 60 ms.
+# ctest shows both tries, and what is broken fails twice.
+ctest --test-dir "$build" --output-on-failure -j2 --repeat until-pass:2

@@ -4,8 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "monitor/estimation/matrix_vector_product.h"
-
 namespace ehm::estimation {
 namespace {
 
@@ -73,6 +71,19 @@ void check_model(const TunerFilterModel& model) {
   }
 }
 
+/// What a product starts from where nothing is to be added.
+alignas(32) constexpr std::array<double, max_augmented> zeros{};
+
+/// A product reads whole groups of rows.
+template <typename Vector>
+Vector with_zeros_behind(const Vector& vector) {
+  Vector padded;
+  padded.setZero(Vector::MaxRowsAtCompileTime);
+  padded.conservativeResize(vector.size());
+  padded = vector;
+  return padded;
+}
+
 }  // namespace
 
 TunerFilter::TunerFilter(TunerFilterModel model)
@@ -87,7 +98,9 @@ TunerFilter::TunerFilter(TunerFilterModel model)
 TunerFilter::Constants TunerFilter::constants_of(TunerFilterModel model) {
   check_model(model);
   Constants constants;
-  constants.minus_D = -model.D;
+  constants.minus_D = PaddedMatrix(-model.D);
+  constants.health_trim = with_zeros_behind(model.health_trim);
+  constants.auxiliary_trim = with_zeros_behind(model.auxiliary_trim);
   constants.full_step = step_of(model.full, model);
   for (const auto& subset : model.missing) constants.missing_step.push_back(subset ? step_of(*subset, model) : Step{});
   constants.model = std::move(model);
@@ -95,27 +108,32 @@ TunerFilter::Constants TunerFilter::constants_of(TunerFilterModel model) {
 }
 
 TunerFilter::Step TunerFilter::step_of(const SubsetGain& gain, const TunerFilterModel& model) {
-  const Eigen::Index n = model.states, a = gain.A.rows(), m = model.D.rows(), nu = model.D.cols();
+  const Eigen::Index a = gain.A.rows(), nu = model.D.cols();
+  Eigen::MatrixXd prediction(a, a + nu), auxiliary(model.G.rows(), a + nu);
+  prediction << gain.A, gain.B;
+  auxiliary << gain.auxiliary_output, model.G;
   Step step;
-  step.prediction.resize(n + m, a + nu);
-  step.prediction << gain.A.topRows(n), gain.B.topRows(n), -gain.C * gain.A, -gain.C * gain.B;
-  step.auxiliary.resize(model.G.rows(), a + nu);
-  step.auxiliary << gain.auxiliary_output, model.G;
+  step.state_prediction = PaddedMatrix(prediction);
+  step.sensor_prediction = PaddedMatrix(-gain.C * prediction);
+  step.correction = PaddedMatrix(gain.K);
+  step.health = PaddedMatrix(gain.health_output.rightCols(a - model.states));
+  step.auxiliary = PaddedMatrix(auxiliary);
   return step;
 }
 
 void TunerFilter::predict(const ActuatorVector& du_previous) noexcept {
   // xpred = Axq xhat[k-1] + Bxq u[k-1] and what the sensors should then read
-  updated_.tail(du_previous.size()) = du_previous;
-  predicted_.setZero();
-  add_product(step().prediction, updated_.data(), predicted_.data());
+  const double *xhat = updated_.data(), *u = du_previous.data();
+  const Eigen::Index size = updated_.size();
+  step().state_prediction.product(zeros.data(), xhat, size, u, predicted_.data());
+  step().sensor_prediction.product(zeros.data(), xhat, size, u, minus_sensors_.data());
 }
 
 void TunerFilter::innovation(const SensorVector& dy, const ActuatorVector& du) noexcept {
   // nu = y[k] - Cxq xpred - D u[k]
-  updated_.tail(du.size()) = du;
-  innovation_ = dy + predicted_.tail(dy.size());
-  add_product(constants_->minus_D, du.data(), innovation_.data());
+  du_ = du;
+  constants_->minus_D.product(minus_sensors_.data(), du.data(), du.size(), nullptr, innovation_.data());
+  innovation_ += dy;
 }
 
 void TunerFilter::update(SensorMask fused) noexcept {
@@ -126,8 +144,8 @@ void TunerFilter::update(SensorMask fused) noexcept {
   }
   if (carried_share_ > 0.0) carried_share_ -= carried_share_ * fading_;
   // xhat = xpred + K nu
-  updated_.head(model().states) = predicted_.head(model().states);
-  add_product(gain().K, fused_innovation_.data(), updated_.data());
+  step().correction.product(predicted_.data(), fused_innovation_.data(), fused_innovation_.size(), nullptr,
+                            updated_.data());
   read_out();
 }
 
@@ -149,15 +167,12 @@ bool TunerFilter::switch_sensor_set(SensorSet set) noexcept {
 }
 
 void TunerFilter::re_reference(const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept {
-  const Eigen::Index nu = model().D.cols();
-  re_referenced_.setZero(transfer.rows() + nu);
-  re_referenced_.tail(nu) = updated_.tail(nu);
-  add_product(transfer, updated_.data(), re_referenced_.data());
-  updated_ = re_referenced_;
+  predicted_.noalias() = transfer.lazyProduct(updated_);
+  updated_ = predicted_;
 }
 
 void TunerFilter::shift(const AugmentedVector& delta) noexcept {
-  updated_.head(delta.size()) += delta;
+  updated_ += delta;
   read_out();
 }
 
@@ -184,9 +199,8 @@ bool TunerFilter::restore(SensorSet set, const AugmentedVector& estimate) noexce
     return false;
   }
   carried_share_ = 0.0;
-  updated_.setZero(estimate.size() + model().D.cols());
-  updated_.head(estimate.size()) = estimate;
-  predicted_.setZero();
+  updated_ = estimate;
+  du_.setZero();
   innovation_.setZero();
   read_out();
   return true;
@@ -195,8 +209,8 @@ bool TunerFilter::restore(SensorSet set, const AugmentedVector& estimate) noexce
 void TunerFilter::reset() noexcept {
   carried_share_ = 0.0;
   set_ = SensorSet::full();
-  updated_.setZero(model().full.A.rows() + model().D.cols());
-  predicted_.setZero(model().states + model().D.rows());
+  updated_.setZero(model().full.A.rows());
+  du_.setZero(model().D.cols());
   innovation_.setZero();
   read_out();
 }
@@ -209,14 +223,15 @@ bool TunerFilter::available(SensorSet set) const noexcept {
 
 void TunerFilter::read_out() noexcept {
   // h = h_trim + W q, of Th = [0, W]
-  health_ = model().health_trim;
-  if (carried_share_ > 0.0) health_ += carried_share_ * carried_health_;
-  const Eigen::Index n = model().states, t = gain().A.rows() - n;
-  add_product(gain().health_output.rightCols(t), updated_.data() + n, health_.data());
+  const double* q = updated_.data() + model().states;
+  step().health.product(constants_->health_trim.data(), q, updated_.size() - model().states, nullptr, health_.data());
   // z = z_trim + Tz xhat + G u[k]
-  auxiliary_ = model().auxiliary_trim;
-  if (carried_share_ > 0.0) auxiliary_ += carried_share_ * carried_auxiliary_;
-  add_product(step().auxiliary, updated_.data(), auxiliary_.data());
+  step().auxiliary.product(constants_->auxiliary_trim.data(), updated_.data(), updated_.size(), du_.data(),
+                           auxiliary_.data());
+  if (carried_share_ > 0.0) {
+    health_ += carried_share_ * carried_health_;
+    auxiliary_ += carried_share_ * carried_auxiliary_;
+  }
 }
 
 }  // namespace ehm::estimation

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "monitor/estimation/capacity.h"
+#include "monitor/estimation/padded_matrix.h"
 
 namespace ehm::estimation {
 
@@ -101,7 +102,7 @@ class TunerFilter {
   [[nodiscard]] const HealthVector& health() const noexcept { return health_; }
   [[nodiscard]] const AuxiliaryVector& auxiliary() const noexcept { return auxiliary_; }
   /// xhat = [x; q] of the present design, scaled.
-  [[nodiscard]] AugmentedVector estimate() const noexcept { return updated_.head(gain().A.rows()); }
+  [[nodiscard]] const AugmentedVector& estimate() const noexcept { return updated_; }
   /// q, in percent of health.
   [[nodiscard]] TunerVector tuners() const noexcept {
     return updated_.segment(model().states, gain().A.rows() - model().states);
@@ -126,16 +127,21 @@ class TunerFilter {
   [[nodiscard]] const TunerFilterModel& model() const noexcept { return constants_->model; }
 
  private:
-  /// The matrices of one sensor set as a step uses them, each on [xhat; u].
+  /// The matrices of one sensor set as a step uses them.
   struct Step {
-    BoundedMatrix<max_states + max_sensors, max_augmented + max_actuators> prediction;  ///< [Ax B; -C Axq, -C Bxq]
-    BoundedMatrix<max_auxiliary, max_augmented + max_actuators> auxiliary;              ///< [Tz, G]
+    PaddedMatrix state_prediction;   ///< [Axq, Bxq] on [xhat; u]
+    PaddedMatrix sensor_prediction;  ///< -Cxq [Axq, Bxq]
+    PaddedMatrix correction;         ///< K on nu
+    PaddedMatrix health;             ///< W on q
+    PaddedMatrix auxiliary;          ///< [Tz, G] on [xhat; u]
   };
 
   /// Shared by all copies of a filter.
   struct Constants {
     TunerFilterModel model;
-    BoundedMatrix<max_sensors, max_actuators> minus_D;
+    PaddedMatrix minus_D;
+    alignas(32) HealthVector health_trim;  ///< the model's with zeros behind, as far as a product reads
+    alignas(32) AuxiliaryVector auxiliary_trim;
     Step full_step;
     std::vector<Step> missing_step;  ///< as model.missing
   };
@@ -151,13 +157,16 @@ class TunerFilter {
 
   std::shared_ptr<const Constants> constants_;
   SensorSet set_ = SensorSet::full();
-  BoundedVector<max_augmented + max_actuators> updated_;        ///< [xhat; u]: u[k-1] in predict, then u[k]
-  BoundedVector<max_states + max_sensors> predicted_;           ///< [states of xpred; -Cxq xpred]; q stays in updated_
-  BoundedVector<max_augmented + max_actuators> re_referenced_;  ///< before it replaces updated_
-  SensorVector innovation_;
+  alignas(32) AugmentedVector updated_;     ///< xhat
+  alignas(32) AugmentedVector predicted_;   ///< xpred
+  alignas(32) SensorVector minus_sensors_;  ///< -Cxq xpred
+  alignas(32) SensorVector innovation_;
+  ActuatorVector du_;  ///< of the latest sample
   SensorVector fused_innovation_;
-  HealthVector health_, carried_health_;
-  AuxiliaryVector auxiliary_, carried_auxiliary_;
+  alignas(32) HealthVector health_;
+  alignas(32) AuxiliaryVector auxiliary_;
+  HealthVector carried_health_;
+  AuxiliaryVector carried_auxiliary_;
   double carried_share_ = 0.0, fading_ = 0.0;  ///< of what was carried; 0: nothing
 };
 

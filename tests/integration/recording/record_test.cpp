@@ -123,6 +123,7 @@ TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalT
   const auto offline_samples = rows_of(read_rows(folder_.path("offline.h5")), 1);
   ASSERT_EQ(offline_samples.size(), 3000u);
 
+  listener_.status.clear();
   monitor = record("replayed.h5");
   const std::string said = run({simulator_program(), "--replay", folder_.path("online.h5"), "--rate", "max",
                                 "--dds-domain", std::to_string(domain_), "--run-wait-for-monitors", "2"});
@@ -289,6 +290,7 @@ TEST_F(CsvTest, ACsvFileGivesTheEstimatesOfTheFlightThatItHolds) {
     ASSERT_TRUE(same_bits(again[k].t_sigma, samples[k].t_sigma, again[k].t.size())) << k;
   }
 
+  listener_.status.clear();
   monitor = record("replayed.h5");
   const std::string said =
       run({simulator_program(), "--replay", folder_.path("flight.csv"), "--column-map", map_file, "--rate", "max",
