@@ -30,8 +30,9 @@ void measure(const std::vector<Row>& samples, const FileInfo& info, std::size_t 
   const auto start = std::chrono::steady_clock::now();
   Writer writer(path, info);
   for (std::size_t k = 0; k < total_rows; ++k) {
-    Row row = samples[k / engines % samples.size()];
-    row.a.unit = static_cast<std::int64_t>(1 + k % engines);
+    const std::size_t engine = k % engines;
+    Row row = samples[(k / engines + engine * samples.size() / engines) % samples.size()];  // its own noise
+    row.a.unit = static_cast<std::int64_t>(1 + engine);
     writer.append(row, 0);
     if (writer.pending() >= commit_rows) writer.commit(false);
   }

@@ -43,6 +43,7 @@ bool same_bits(const Values& values, const Wire& wire, std::size_t count) {
 class RecordTest : public PairTest {
  protected:
   std::unique_ptr<Process> record(const std::string& name, std::vector<std::string> flags = {}) {
+    listener_.status.clear();  // of a monitor before
     flags.insert(flags.end(), {"--record", folder_.path(name), "--monitor-status-period-s", "0.1"});
     return start_monitor(flags);
   }
@@ -94,23 +95,27 @@ TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalT
   const auto online = read_rows(folder_.path("online.h5"));
   const auto samples = rows_of(online, 1);
   ASSERT_EQ(samples.size(), 3000u);
-  ASSERT_EQ(listener_.health.size(), 3000u);
-  ASSERT_EQ(listener_.auxiliary.size(), 3000u);
-  int degraded = 0;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const EngineHealth& health = listener_.health[k];
-    const EngineAuxiliary& auxiliary = listener_.auxiliary[k];
-    ASSERT_EQ(samples[k].a.sequence, static_cast<std::int64_t>(health.sequence_number()));
-    ASSERT_TRUE(same_bits(samples[k].x_s, listener_.sensors[k].sensor(), listener_.sensors[k].sensor_count()));
-    ASSERT_TRUE(same_bits(samples[k].t, health.health(), health.health_count())) << k;
-    ASSERT_TRUE(same_bits(samples[k].t_sigma, health.sigma_total(), health.health_count())) << k;
-    ASSERT_TRUE(same_bits(samples[k].t_sigma_filter, health.sigma_filter(), health.health_count())) << k;
-    ASSERT_TRUE(same_bits(samples[k].x_v, auxiliary.auxiliary(), auxiliary.auxiliary_count())) << k;
-    ASSERT_TRUE(same_bits(samples[k].x_v_sigma, auxiliary.sigma_total(), auxiliary.auxiliary_count())) << k;
-    ASSERT_EQ(samples[k].a.flags, static_cast<std::int64_t>(health.flags())) << k;
-    ASSERT_EQ(samples[k].a.sensors_used, static_cast<std::int64_t>(health.sensors_used())) << k;
-    degraded += (health.flags() & wire::estimate_flag::degraded) != 0;
+  // A busy machine may let this listener miss some at rate max; what it heard must be what is recorded.
+  EXPECT_GE(listener_.health.size(), 1000u);
+  for (const EngineHealth& health : listener_.health) {
+    const Row& row = samples.at(health.sequence_number());
+    ASSERT_EQ(row.a.sequence, static_cast<std::int64_t>(health.sequence_number()));
+    ASSERT_TRUE(same_bits(row.t, health.health(), health.health_count())) << row.a.sequence;
+    ASSERT_TRUE(same_bits(row.t_sigma, health.sigma_total(), health.health_count())) << row.a.sequence;
+    ASSERT_TRUE(same_bits(row.t_sigma_filter, health.sigma_filter(), health.health_count())) << row.a.sequence;
+    ASSERT_EQ(row.a.flags, static_cast<std::int64_t>(health.flags())) << row.a.sequence;
+    ASSERT_EQ(row.a.sensors_used, static_cast<std::int64_t>(health.sensors_used())) << row.a.sequence;
   }
+  for (const EngineAuxiliary& auxiliary : listener_.auxiliary) {
+    const Row& row = samples.at(auxiliary.sequence_number());
+    ASSERT_TRUE(same_bits(row.x_v, auxiliary.auxiliary(), auxiliary.auxiliary_count())) << row.a.sequence;
+    ASSERT_TRUE(same_bits(row.x_v_sigma, auxiliary.sigma_total(), auxiliary.auxiliary_count())) << row.a.sequence;
+  }
+  for (const EngineSensors& sensors : listener_.sensors)
+    ASSERT_TRUE(same_bits(samples.at(sensors.sequence_number()).x_s, sensors.sensor(), sensors.sensor_count()));
+  const auto degraded = std::count_if(samples.begin(), samples.end(), [](const Row& row) {
+    return (row.a.flags & wire::estimate_flag::degraded) != 0;
+  });
   EXPECT_GT(degraded, 100);  // the fault was there
 
   EXPECT_THAT(offline("online.h5", "offline.h5"),
@@ -123,9 +128,7 @@ TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalT
   const std::string said = run({simulator_program(), "--replay", folder_.path("online.h5"), "--rate", "max",
                                 "--dds-domain", std::to_string(domain_), "--run-wait-for-monitors", "2"});
   EXPECT_THAT(said, HasSubstr("3000 samples of 1 engine(s) published, 0 refused"));
-  // By the monitor's own count: at this rate our listener may miss some.
-  ASSERT_TRUE(listener_.await(
-      [&] { return !listener_.status.empty() && listener_.status.back().samples_received() == 3000u; }));
+  ASSERT_TRUE(await_received(1, 3000));
   stop(*monitor);
   const auto replayed = rows_of(read_rows(folder_.path("replayed.h5")), 1);
   ASSERT_EQ(replayed.size(), 3000u);
@@ -238,7 +241,7 @@ TEST_F(RecordTest, AFullDiskEndsTheRecordingAndNotTheMonitor) {
   ASSERT_TRUE(listener_.await([&] {
     return listener_.status.back().records_lost() > 0 && listener_.has_event(wire::EventKind::recording, true);
   }));
-  EXPECT_EQ(listener_.health.size(), 4000u);  // the estimates went on
+  EXPECT_TRUE(listener_.await([&] { return listener_.status.back().samples_processed() == 4000u; }));  // it went on
   EXPECT_THAT(monitor.log(), HasSubstr("recording has ended: " + folder_.path("full.h5")));
 }
 
