@@ -120,8 +120,9 @@ void Reporter::report_status(MonitorStatus& status) {
   status.input_deadline_misses(input_.deadline_misses());
   status.input_liveliness_losses(input_.liveliness_losses());
   status.reports_lost(status.reports_lost() + notices_.lost());
+  const bool changed = board_.hang_up(status);  // before the wire: who has heard of it finds it in the metrics
   status_.write(status);
-  if (board_.hang_up(status)) service::notify_status(board_.summary());
+  if (changed) service::notify_status(board_.summary());
 }
 
 void Reporter::say(const Notice& notice) {
@@ -139,8 +140,8 @@ void Reporter::say(const Notice& notice) {
 void Reporter::publish(HealthEvent& event) {
   event.source_id(source_id_);
   event.schema(wire::schema_version);
+  board_.hang_up(event);  // before the wire: who has heard of it finds it in the metrics
   events_.write(event);
-  board_.hang_up(event);
   const std::string whom =
       event.engine_id() == 0 ? std::string() : "engine " + std::to_string(event.engine_id()) + ": ";
   spdlog::log(event.raised() != 0 ? spdlog::level::warn : spdlog::level::info, "{}{}", whom, event.message().c_str());

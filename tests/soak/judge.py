@@ -1,6 +1,7 @@
 """What a soak has seen, against its criteria."""
 
-SENSOR_FAULT, HEALTH_SHIFT, NO_DESIGN, AMBIGUOUS = 1, 2, 8, 11
+SENSOR_FAULT, HEALTH_SHIFT, INPUT_LOST, AMBIGUOUS = 1, 2, 5, 11
+HICCUP_S = 0.25  # a shared machine pauses simulator or monitor for so long by itself; more than that is an event
 OUTCOMES = ("processed", "withheld", "duplicated", "reordered", "foreign", "malformed")
 DOWN = ("kill ",)
 
@@ -17,7 +18,7 @@ class Record:
         self.seconds, self.statuses, self.gaps, self.events = [], [], [], []
         self.usage = {}  # service -> [(wall, t, life, usage)]
         self.disturbances, self.unexplained, self.unexpected_exits = [], [], []
-        self.doubles, self.restarts_answered = 0, []
+        self.doubles, self.restarts_answered, self.hiccups = 0, [], 0
 
     def disturbance_at(self, t):
         for d in reversed(self.disturbances):
@@ -33,7 +34,10 @@ class Record:
         d = self.disturbance_at(t)
         if d:
             d.events.append(dict(line, at=t))
-        if line["raised"] and (d is None or line["kind"] not in d.allowed):
+        explained = d is not None and line["kind"] in d.allowed
+        if line["raised"] and not explained and line["kind"] == INPUT_LOST and line["value"] < HICCUP_S:
+            self.hiccups += 1
+        elif line["raised"] and not explained:
             self.unexplained.append(dict(line, at=t, during=d.kind if d else "calm"))
 
 
@@ -119,6 +123,7 @@ def measure(record, warm_up_s):
         "double_estimates": record.doubles,
         "counter_mismatches": mismatches(record),
         "unexplained_events": len(record.unexplained),
+        "input_hiccups_per_hour": 3600.0 * record.hiccups / max(1.0, record.seconds[-1]["t"] if record.seconds else 1.0),
         "missing_events": silent(record),
         "unexpected_exits": len(record.unexpected_exits),
         "rss_growth_mb": growth(record, "rss_mb", warm_up_s),

@@ -27,7 +27,8 @@ def fault(start_t, channel=3, kind="sensor bias", **about):
 
 
 def event(t, kind, channel=3, raised=True):
-    return {"t": t, "ago_s": 0.0, "kind": kind, "channel": channel, "raised": raised, "message": "m"}
+    return {"t": t, "ago_s": 0.0, "kind": kind, "channel": channel, "raised": raised, "value": 1.0,
+            "message": "m"}
 
 
 class JudgeTest(unittest.TestCase):
@@ -70,6 +71,13 @@ class JudgeTest(unittest.TestCase):
         self.record.hear_event(event(60.0, 1, raised=False))
         self.assertEqual([(e["at"], e["during"]) for e in self.record.unexplained],
                          [(50.0, "calm"), (101.0, "sensor bias")])
+
+    def test_a_hiccup_of_the_machine_is_counted_apart(self):
+        self.record.seconds = [{"t": 3600.0, "health": BLOCK, "auxiliary": BLOCK}]
+        for value in (0.05, 0.2, 0.3):
+            self.record.hear_event(dict(event(50.0, judge.INPUT_LOST), value=value))
+        self.assertEqual(self.measured()["input_hiccups_per_hour"], 2.0)
+        self.assertEqual(len(self.record.unexplained), 1)
 
     def test_a_reload_of_which_no_event_tells(self):
         self.record.disturbances = [fault(100.0, kind="reload", must_find=False, must_raise=(14, False))]

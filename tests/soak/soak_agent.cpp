@@ -25,7 +25,8 @@ namespace {
 using namespace ehm;
 using Json = nlohmann::json;
 
-constexpr std::uint32_t simulator_id = 1;  ///< engine.source_id of engine_sim, by default
+constexpr std::uint32_t whole_service = 0;  ///< engine_id of events that concern no single engine
+constexpr std::uint32_t simulator_id = 1;   ///< engine.source_id of engine_sim, by default
 
 /// Source time flown, over gaps and restarts of the source.
 class FlownTime {
@@ -96,7 +97,7 @@ class Agent {
   void each(wire::Reader<T>& reader, Visit&& visit) {
     T sample;
     while (reader.take(sample))
-      if (sample.engine_id() == engine_id_) visit(sample);
+      if (sample.engine_id() == engine_id_ || sample.engine_id() == whole_service) visit(sample);
   }
   void say(const char* what, Json line) {
     line["what"] = what;
