@@ -160,12 +160,18 @@ int main(int argc, char** argv) {
   app.add_option("--domain", options.domain, "and the two after it")->check(CLI::Range(0, 228))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  char files[] = "/tmp/ehm-security-bench.XXXXXX";
-  if (!mkdtemp(files)) return 1;
+  std::string files = std::filesystem::temp_directory_path() / "ehm-security-bench.XXXXXX";
+  if (!mkdtemp(files.data())) {
+    std::perror("security_bench: no temporary folder");
+    return 1;
+  }
   for (const char* kind : {kinds[1], kinds[2]}) {
     const std::string make = std::string(EHM_SOURCE_DIR "/deploy/security/make_security.sh --out ") + files + "/" +
                              kind + " --protection " + kind + " >/dev/null";
-    if (std::system(make.c_str()) != 0) return 1;
+    if (std::system(make.c_str()) != 0) {
+      std::fprintf(stderr, "security_bench: make_security.sh failed, see above\n");
+      return 1;
+    }
   }
   const pid_t echo = fork();  // before any DDS: threads do not survive a fork
   if (echo == 0) run_echo(options, files);

@@ -25,6 +25,11 @@ def seconds(text):
     return float(match[1]) * {"s": 1, "m": 60, "h": 3600}[match[2]]
 
 
+def exit_usage(what):
+    print(f"soak.sh: {what}", file=sys.stderr)
+    sys.exit(2)
+
+
 SHIPPED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "criteria.toml")
 
 
@@ -33,7 +38,7 @@ def read_toml(path):
         with open(path, "rb") as f:
             return tomllib.load(f)
     except (OSError, tomllib.TOMLDecodeError) as e:
-        sys.exit_usage(f"{path}: {e}")
+        exit_usage(f"{path}: {e}")
 
 
 def read_criteria(path):
@@ -41,10 +46,10 @@ def read_criteria(path):
     criteria, own = read_toml(SHIPPED), read_toml(path)
     for name, limit in own.items():
         if name not in criteria:
-            sys.exit_usage(f"{path}: '{name}' is no criterion; allowed are {', '.join(criteria)}")
+            exit_usage(f"{path}: '{name}' is no criterion; allowed are {', '.join(criteria)}")
         if not isinstance(limit, dict) or len(limit) != 1 or set(limit) - {"min", "max"} or \
                 not isinstance(next(iter(limit.values())), (int, float)):
-            sys.exit_usage(f"{path}: '{name}' needs exactly one of min and max, a number")
+            exit_usage(f"{path}: '{name}' needs exactly one of min and max, a number")
     return criteria | own
 
 
@@ -68,11 +73,10 @@ def parse(arguments):
     parser.add_argument("--fifo", action="store_true", help="the monitor runs its cycle under SCHED_FIFO")
     parser.add_argument("--json", action="store_true", help="print nothing but the result, as one JSON object")
     options = parser.parse_args(arguments)
-    sys.exit_usage = lambda what: (print(f"soak.sh: {what}", file=sys.stderr), sys.exit(2))
     options.build, options.out = os.path.abspath(options.build), os.path.abspath(options.out)
     options.limits = read_criteria(options.criteria)
     if not os.path.exists(f"{options.build}/tests/soak/soak_agent"):
-        sys.exit_usage(f"{options.build}: no build with tests is there; run ./deploy/build.sh or give --build DIR")
+        exit_usage(f"{options.build}: no build with tests is there; run ./deploy/build.sh or give --build DIR")
     os.makedirs(options.out, exist_ok=True)
     return options
 
