@@ -18,6 +18,8 @@ constexpr std::int64_t max_id = 4294967295;
 
 void declare_cycle(Schema& schema, CycleOptions& o) {
   auto& c = o.checks;
+  schema.integer("checks.source_id", c.source_id, 0, max_id, "",
+                 "the only source that is followed, by the source_id of its samples; 0 is the first that speaks");
   schema.real("checks.range_percent", c.range_percent, 1, 1000, "percent of trim",
               "a sensor farther from its trim is out of range");
   schema.real("checks.rate_percent", c.rate_percent, 0.1, 1000, "percent of trim",

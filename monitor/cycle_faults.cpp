@@ -17,7 +17,7 @@ constexpr double memory_s = 3600.0;        // in which wear may have moved
 constexpr double return_settles_in = 2.0;  // slowest time constants after a sensor has come back
 }  // namespace
 
-void MonitorCycle::detect(int steps) noexcept {
+void MonitorCycle::detect() noexcept {
   estimation::SensorMask present;
   for (int i = 0; i < sensors_; ++i)
     present[static_cast<std::size_t>(i)] =
@@ -25,7 +25,7 @@ void MonitorCycle::detect(int steps) noexcept {
   present &= filter_.sensors();
   declared_ = {};
   ungated_.step(filter_, present, result_.fused);
-  if (have_design_) declare(faults_.step(ungated_.innovation(), present, steps));
+  if (have_design_) declare(faults_.step(ungated_.innovation(), present, steps_));
   settle_ambiguity(false);
 }
 

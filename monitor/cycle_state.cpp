@@ -33,7 +33,8 @@ Resumption continues(const CycleState& state, const Sample& next, double max_gap
 }  // namespace
 
 bool MonitorCycle::snapshot(CycleState& state) const noexcept {
-  if (!result_.estimates) return false;
+  // A fault that was just declared is still in the estimate, and its size is not part of the state.
+  if (!result_.estimates || declared_.kind != FaultKind::none) return false;
   state.source_id = sample_check_.source_id();
   state.sequence = sample_check_.last_sequence();
   state.source_time_ns = sample_check_.last_time_ns();

@@ -95,11 +95,11 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
   slot->sample.writer = sensors_.writer();
   const std::uint64_t malformed = slot->cycle.counters().malformed;
   if (slot->cycle.counters().received == 0) first_sample(*slot);
-  const bool accepted = slot->cycle.process(slot->sample);
+  const bool accepted = slot->cycle.estimate(slot->sample);
   if (accepted) {
     slot->received_ns = arrival_ns;
     slot->last_sequence = slot->sample.sequence;
-    publish(*slot, slot->cycle.result(), arrival_ns);
+    publish(*slot, arrival_ns);
   }
   if (records_) records_->sample(*slot, accepted);
   report_events(*slot);
@@ -115,15 +115,21 @@ void CycleThread::first_sample(EngineSlot& slot) {
   }
 }
 
-void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns) {
-  if (slot.released || turn_ns_ < quiet_until_ns_) return;
+/// EngineHealth first: judging the sample, and the rest of what is published, can wait.
+void CycleThread::publish(EngineSlot& slot, std::int64_t arrival_ns) {
+  const CycleResult& result = slot.cycle.result();
+  const bool silent = slot.released || turn_ns_ < quiet_until_ns_;
   const Stamp stamp{slot.engine_id, source_id_, slot.sample.sequence, slot.sample.source_time_ns, wall_clock_ns()};
-  if (result.estimates) {
+  if (result.estimates && !silent) {
     convert(slot.cycle, result, stamp, health_sample_);
     slot.writes_refused += !health_.write(health_sample_);
     const double latency_us = std::max(0.0, 1e-3 * static_cast<double>(monotonic_ns() - arrival_ns));
     slot.latency.record(latency_us);
     slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
+  }
+  slot.cycle.judge();
+  if (silent) return;
+  if (result.estimates) {
     convert(slot.cycle, result, stamp, auxiliary_sample_);
     slot.writes_refused += !auxiliary_.write(auxiliary_sample_);
   }

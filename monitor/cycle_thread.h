@@ -34,7 +34,7 @@ class CycleThread {
  private:
   void take_samples();
   void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
-  void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
+  void publish(EngineSlot& slot, std::int64_t arrival_ns);
   void obey(const MonitorCommand& command);
   void watch_input(std::int64_t now_ns);
   void judge_recording(EngineSlot& slot);

@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
     if (listen.wanted)
       return monitor::listen(config, *engines, listen, std::cout) ? service::exit_ok : service::exit_failed;
     if (config.offline.file.empty())
-      monitor::run_service(config, *engines, {schema.values(), [=] { return read_again(argc, argv); }});
+      monitor::run_service(config, std::move(engines), {schema.values(), [=] { return read_again(argc, argv); }});
     else
       monitor::run_offline(config, *engines);
     return service::exit_ok;

@@ -47,10 +47,11 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
   no_residuals();
 }
 
-bool MonitorCycle::process(const Sample& sample) noexcept {
+bool MonitorCycle::estimate(const Sample& sample) noexcept {
   ++counters_.received;
   SampleDecision decision;
   if (!admit(sample, decision)) return false;
+  steps_ = decision.steps;
   check_sensors(sample, decision.steps);
   const bool was_valid = valid_;
   const bool in_time = sample_time_.judge(decision, events_);
@@ -60,14 +61,23 @@ bool MonitorCycle::process(const Sample& sample) noexcept {
     return true;
   }
   if (!was_valid) restart_filter();
-  predict(decision.steps);
+  choose_design();
+  predict();
   gate();
   qualify();
   update();
-  detect(decision.steps);
-  choose_design();
-  judge();
+  conclude();
   return true;
+}
+
+void MonitorCycle::judge() noexcept {
+  if (!valid_) return;
+  detect();
+  if (!have_design_) return shift_.reset();
+  const bool wait = faults_.pending() || ambiguous_.raised() || declared_.kind != FaultKind::none;
+  shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), wait, events_);
+  if (filter_.sensor_set().is_full() && error_.settled()) slow_bias_.judge(filter_.tuners(), events_);
+  limits_.judge(filter_.health(), filter_.auxiliary(), events_);
 }
 
 bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcept {
@@ -109,6 +119,7 @@ void MonitorCycle::restart_filter() noexcept {
   shift_.reset();
   slow_bias_.reset(events_);
   settle_ambiguity(true);
+  declared_ = {};
   du_previous_ = du_;
 }
 
@@ -158,9 +169,9 @@ void MonitorCycle::withhold() noexcept {
   result_.flags = estimate_flags();
 }
 
-void MonitorCycle::predict(int steps) noexcept {
+void MonitorCycle::predict() noexcept {
   // After a loss the actuators are taken as held, which is what they do between samples.
-  for (int k = 1; k < steps; ++k) {
+  for (int k = 1; k < steps_; ++k) {
     filter_.predict(du_previous_);
     filter_.update({});  // a lost sample fuses nothing
   }
@@ -242,20 +253,12 @@ void MonitorCycle::choose_design() noexcept {
   if (missing >= 0) exclude(missing);
 }
 
-void MonitorCycle::judge() noexcept {
+void MonitorCycle::conclude() noexcept {
   result_.sensors_used = filter_.sensors();
   result_.estimates = have_design_;
-  if (have_design_) {
-    ++counters_.processed;
-    const bool wait = faults_.pending() || ambiguous_.raised();
-    shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), wait, events_);
-    if (filter_.sensor_set().is_full() && error_.settled()) slow_bias_.judge(filter_.tuners(), events_);
-    limits_.judge(filter_.health(), filter_.auxiliary(), events_);
-  } else {
-    ++counters_.withheld;
-    shift_.reset();
+  ++(have_design_ ? counters_.processed : counters_.withheld);
+  if (!have_design_)
     for (int i = 0; i < sensors_; ++i) result_.reason[static_cast<std::size_t>(i)] |= reason::withheld;
-  }
   result_.flags = estimate_flags();
 }
 
@@ -274,9 +277,9 @@ bool MonitorCycle::no_input(double age_s) noexcept {
   const double limit_s = options_.stale_periods * design_->model.sample_time_s;
   if (age_s <= limit_s) return false;
   input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, 0}, events_);
-  // The source is gone: whoever sends next may take its place.
+  // The source is gone: whoever sends next, and may be followed, takes its place.
   sample_check_.release_source();
-  second_source_.end(events_);
+  if (!sample_check_.only_one()) second_source_.end(events_);
   return true;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
-// THE data path of one engine: check -> predict -> update -> judge. One sample in, one result out.
+// THE data path of one engine: check -> predict -> update, then judge. One sample in, one result out.
+//
+// The two parts may be called one by one, so that an estimate is on its way before it is judged: a fault that judging
+// finds changes the estimates from the next sample on.
 //
 // Knows no DDS, clock, file, thread or log. Deterministic: the same samples give the same results to the bit.
 // Equations: the filter in estimation/tuner_filter.h, its error in estimation/error_propagation.h, the decisions in
@@ -66,7 +69,15 @@ class MonitorCycle {
 
   /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
   /// result stands. Real-time safe: yes.
-  bool process(const Sample& sample) noexcept;
+  bool process(const Sample& sample) noexcept {
+    const bool in_order = estimate(sample);
+    if (in_order) judge();
+    return in_order;
+  }
+  /// Its first part: the estimates, their flags, and everything of the result but the reasons that judging adds.
+  bool estimate(const Sample& sample) noexcept;
+  /// Its second part, for a sample that was in order: faults, shifts, limits. Leaves the estimates alone.
+  void judge() noexcept;
   /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. True if it does.
   /// Real-time safe: yes.
   bool no_input(double age_s) noexcept;
@@ -102,11 +113,12 @@ class MonitorCycle {
   void check_sensors(const Sample& sample, int steps) noexcept;
   void no_residuals() noexcept;
   void withhold() noexcept;
-  void predict(int steps) noexcept;
+  void predict() noexcept;
   void gate() noexcept;
   void qualify() noexcept;
   void update() noexcept;
-  void detect(int steps) noexcept;
+  void conclude() noexcept;
+  void detect() noexcept;
   void declare(const FaultVerdict& verdict) noexcept;
   void declare_sensor(const FaultVerdict& verdict) noexcept;
   void settle_ambiguity(bool decided) noexcept;
@@ -114,7 +126,6 @@ class MonitorCycle {
   void exclude(int sensor) noexcept;
   void readmit() noexcept;
   void take_out_fault() noexcept;
-  void judge() noexcept;
   std::uint32_t estimate_flags() const noexcept;
   void fly_blind_to(const Sample& next, std::uint64_t sequence) noexcept;
 
@@ -134,13 +145,14 @@ class MonitorCycle {
   Validity validity_;
   UngatedFilter ungated_;
   FaultDetector faults_;
-  FaultVerdict declared_;  ///< of this sample
+  FaultVerdict declared_;  ///< of this sample; taken out of the estimate at the next one
   ShiftDetector shift_;
   SlowBias slow_bias_;
   LimitWatch limits_;
 
   estimation::SensorVector dy_, sensor_trim_;  ///< deviations from trim, NaN where there is no value
   estimation::ActuatorVector du_, du_previous_, actuator_trim_;
+  int steps_ = 1;            ///< sample times from the sample before to this one
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;

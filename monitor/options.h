@@ -8,6 +8,7 @@
 namespace ehm::monitor {
 
 struct CheckOptions {
+  std::int64_t source_id = 0;            ///< the only source that is followed; 0: the first that speaks
   double range_percent = 60.0;           ///< a sensor farther from its trim is out of range, percent of trim
   double rate_percent = 12.0;            ///< a larger step between samples is impossible, percent of trim
   std::int64_t stuck_samples = 20;       ///< as many equal values in a row are a stuck channel

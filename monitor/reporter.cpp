@@ -60,6 +60,12 @@ void Reporter::run() {
   }
 }
 
+void Reporter::await_reported() const {
+  // The turn that ends next may have looked at the queue before; the one after it has not.
+  const std::uint64_t enough = turns_.turns() + 2;
+  while (turns_.turns() < enough) std::this_thread::sleep_for(poll);
+}
+
 bool Reporter::report_next() {
   Report report;
   if (!queue_.pop(report)) return false;

@@ -23,6 +23,8 @@ class Reporter {
   ~Reporter();
   /// From any slow thread that is not the middleware's (those post on the notice board): publishes and logs.
   void say(const Notice& notice);
+  /// From a slow thread: returns once everything that was queued before the call is reported.
+  void await_reported() const;
   const service::TurnCounter& turns() const { return turns_; }
 
  private:

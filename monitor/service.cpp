@@ -63,7 +63,8 @@ struct Checkpoints {
 
 }  // namespace
 
-void run_service(const MonitorConfig& config, EngineTable& engines, const ReloadSource& source) {
+void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table, const ReloadSource& source) {
+  EngineTable& engines = *table;  // at start; the reloader owns it, and those that come after it
   const service::StopSignal stop;
   std::optional<Recorder> recorder;
   if (!config.record.file.empty()) recorder.emplace(config, engines);
@@ -87,9 +88,10 @@ void run_service(const MonitorConfig& config, EngineTable& engines, const Reload
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
   TableExchange exchange;
-  const Reloader reloader(source, exchange, notices, [&](const EngineTable& table) {
-    if (recorder) recorder->know(table);
-  });
+  const auto know = [&](const EngineTable& next) {
+    if (recorder) recorder->know(next);
+  };
+  const Reloader reloader(source, std::move(table), exchange, notices, {know, [&] { reporter.await_reported(); }});
   CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr,
                     recorder ? &recorder->feed() : nullptr, exchange);
   spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,

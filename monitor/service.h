@@ -23,6 +23,6 @@ wire::ParticipantOptions service_participant(const MonitorConfig& config);
 
 /// Serves until SIGINT or SIGTERM; then drains and tells every engine's subscribers that it stopped in order.
 /// SIGHUP reads the configuration again through `source`.
-void run_service(const MonitorConfig& config, EngineTable& engines, const ReloadSource& source);
+void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> engines, const ReloadSource& source);
 
 }  // namespace ehm::monitor

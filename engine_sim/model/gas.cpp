@@ -10,7 +10,7 @@ namespace {
 /// A coefficient, or the value, of the polynomial of air (lane 0) and of the fuel's share (lane 1): one instruction
 /// works on both.
 using AirAndFuel [[gnu::vector_size(16)]] = double;
-constexpr double mixed(AirAndFuel x, double share) {
+double mixed(AirAndFuel x, double share) {
   return x[0] + share * x[1];
 }
 

@@ -36,6 +36,7 @@ bool SampleCheck::malformed(const Sample& s) const noexcept {
 }
 
 bool SampleCheck::foreign(const Sample& s) const noexcept {
+  if (only_one() && s.source_id != source_id()) return true;
   if (!bound_) return false;
   return s.source_id != source_id_ || (s.writer != writer_ && s.writer != 0 && writer_ != 0);
 }

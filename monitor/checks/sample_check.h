@@ -8,8 +8,9 @@
 //                  sequence by more than its time explains: the filter restarts here
 //   duplicate, reordered (overtaken on the way), malformed: dropped and counted
 //   foreign        from another source, or another writer with the same source_id, than the one that this engine
-//                  follows: dropped and counted. The source is the first that spoke; another may take over once it has
-//                  been silent (release_source).
+//                  follows: dropped and counted. The source is the one of checks.source_id, or the first that spoke;
+//                  another writer, and without that option another source, may take over once it has been silent
+//                  (release_source).
 //
 // Real-time safe: yes.
 
@@ -41,7 +42,12 @@ class SampleCheck {
     bound_ = false;
     writer_ = 0;
   }
-  std::uint32_t source_id() const noexcept { return source_id_; }
+  /// Who is followed: the only one that may be, or the latest that was.
+  std::uint32_t source_id() const noexcept {
+    return only_one() ? static_cast<std::uint32_t>(options_.source_id) : source_id_;
+  }
+  /// Whoever else may speak, nobody else is followed.
+  bool only_one() const noexcept { return options_.source_id != 0; }
   std::uint64_t last_sequence() const noexcept { return last_sequence_; }
   std::int64_t last_time_ns() const noexcept { return last_time_ns_; }
 

@@ -1,5 +1,6 @@
 #include "monitor/reload/reloader.h"
 
+#include <malloc.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -42,12 +43,14 @@ std::string refused_changes(const std::map<std::string, std::string>& flying,
   return text;
 }
 
-Reloader::Reloader(const ReloadSource& source, TableExchange& exchange, NoticeBoard& notices, Before before)
+Reloader::Reloader(const ReloadSource& source, std::unique_ptr<EngineTable> table, TableExchange& exchange,
+                   NoticeBoard& notices, Hooks hooks)
     : read_(source.read),
-      before_(std::move(before)),
+      hooks_(std::move(hooks)),
       exchange_(exchange),
       notices_(notices),
       flying_(source.flying),
+      current_(std::move(table)),
       thread_([this] { run(); }) {}
 
 Reloader::~Reloader() {
@@ -62,6 +65,14 @@ void Reloader::run() {
   }
 }
 
+/// A fleet's table takes megabytes: they go back to the system, or a service that is reloaded every day would seem to
+/// leak.
+void Reloader::retire(std::unique_ptr<EngineTable> table) {
+  hooks_.await_reported();
+  table.reset();
+  malloc_trim(0);
+}
+
 void Reloader::reload() {
   std::unique_ptr<EngineTable> table;
   LoadedConfig wanted;
@@ -70,7 +81,7 @@ void Reloader::reload() {
     if (const std::string refused = refused_changes(flying_, wanted.values); !refused.empty())
       throw config::ConfigError(refused);
     table = std::make_unique<EngineTable>(wanted.config);
-    before_(*table);
+    hooks_.before(*table);
   } catch (const std::exception& e) {
     exchange_.refused.fetch_add(1, std::memory_order_relaxed);
     notices_.post({wire::EventKind::configuration, true,
@@ -83,8 +94,8 @@ void Reloader::reload() {
     if (stop_.load(std::memory_order_relaxed)) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  previous_ = std::move(current_);
-  current_ = std::move(table);
+  std::swap(current_, table);
+  retire(std::move(table));
   flying_ = std::move(wanted.values);
   spdlog::set_level(spdlog::level::from_str(wanted.config.log_level));
   exchange_.reloads.fetch_add(1, std::memory_order_relaxed);

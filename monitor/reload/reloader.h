@@ -35,23 +35,29 @@ std::string refused_changes(const std::map<std::string, std::string>& flying,
 
 class Reloader {
  public:
-  /// `before` sees each new table before it flies; what it throws refuses the reload.
-  using Before = std::function<void(const EngineTable&)>;
-  Reloader(const ReloadSource& source, TableExchange& exchange, NoticeBoard& notices, Before before);
+  struct Hooks {
+    /// Sees each new table before it flies; what it throws refuses the reload.
+    std::function<void(const EngineTable&)> before;
+    /// Returns once no report that was queued before the call points into a table any more.
+    std::function<void()> await_reported;
+  };
+  /// `table` flies at start; it is kept for as long as it does.
+  Reloader(const ReloadSource& source, std::unique_ptr<EngineTable> table, TableExchange& exchange,
+           NoticeBoard& notices, Hooks hooks);
   ~Reloader();
 
  private:
   void run();
   void reload();
+  void retire(std::unique_ptr<EngineTable> table);
 
   std::function<LoadedConfig()> read_;
-  Before before_;
+  Hooks hooks_;
   TableExchange& exchange_;
   NoticeBoard& notices_;
   service::ReloadSignal signal_;
   std::map<std::string, std::string> flying_;
-  /// Reports in flight point into the table before the flying one, so that it stays until the next reload.
-  std::unique_ptr<EngineTable> current_, previous_;
+  std::unique_ptr<EngineTable> current_;  ///< flies
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

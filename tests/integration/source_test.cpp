@@ -1,6 +1,7 @@
 // Who may feed an engine, and what is said of sources: second writers, deadline, liveliness, QoS that excludes, floods
 // of bad samples. What the monitor does in each case: deploy/docs/wire_behaviour.md.
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 
@@ -42,6 +43,32 @@ TEST_F(SourceTest, TheFirstOfTwoSimulatorsIsFollowedUntilItIsSilent) {
   const std::uint64_t foreign = status().samples_foreign();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 200; }));
   EXPECT_EQ(status().samples_foreign(), foreign);  // the second is the one that is followed now
+}
+
+TEST_F(SourceTest, OnlyTheNamedSourceIsFollowedHoweverLongItIsSilent) {
+  const auto monitor = start_monitor({"--monitor-status-period-s", "0.1", "--checks-source-id", "1"});
+  const auto stranger = start_simulator({"--engine-source-id", "2"});
+  ASSERT_TRUE(listener_.await([&] { return !listener_.status.empty() && status().samples_foreign() > 100; }));
+  EXPECT_TRUE(listener_.health.empty());
+  EXPECT_TRUE(logs(*monitor, "source 2 also sends samples of this engine; source 1 is listened to")) << monitor->log();
+  const auto named = start_simulator({"--run-seed", "5"});
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 50; }));
+  // Once, however often the silent engine was looked at.
+  const auto raised = [&] {
+    return std::count_if(listener_.events.begin(), listener_.events.end(), [](const HealthEvent& e) {
+      return e.kind() == static_cast<std::uint32_t>(wire::EventKind::second_source) && e.raised();
+    });
+  };
+  EXPECT_EQ(raised(), 1);
+  const std::uint64_t processed = status().samples_processed();
+  named->signal(SIGKILL);
+  const std::uint64_t foreign = status().samples_foreign();
+  ASSERT_TRUE(listener_.await([&] { return status().samples_foreign() > foreign + 100; }));
+  EXPECT_TRUE(listener_.has_event(wire::EventKind::input_lost, true));
+  const std::size_t estimates = listener_.health.size();
+  ASSERT_TRUE(listener_.await([&] { return status().samples_foreign() > foreign + 200; }));
+  EXPECT_EQ(listener_.health.size(), estimates);
+  EXPECT_GE(status().samples_processed(), processed);
 }
 
 TEST_F(SourceTest, DeadlineAndLivelinessAreWatchedWhereAskedFor) {

@@ -171,6 +171,8 @@ class Soak:
             usage = service.usage()
             if usage:
                 self.record.usage.setdefault(service.name, []).append((self.wall(), self.t, service.lives, usage))
+                line = dict(usage, what="usage", t=self.t, service=service.name, life=service.lives)
+                self.raw.write(json.dumps(line) + "\n")
 
     def say(self, what):
         if not self.options.json:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t mi_uint32 = 6, mi_int32 = 5, mi_matrix = 14;
 constexpr std::uint32_t class_cell = 1, class_struct = 2, class_object = 3, class_char = 4, class_sparse = 5,
-                        class_uint64 = 15;
+                        class_uint64 = 15, class_function = 16, class_opaque = 17;
 constexpr std::uint32_t complex_flag = 0x0800;
 constexpr int most_depth = 64;
 
@@ -123,17 +123,17 @@ bool is_sound_array(std::string_view content, bool little_endian, int depth) {
   if (!flags || flags->type != mi_uint32 || flags->data.size() != 8) return false;
   const std::uint32_t type = reader.word(flags->data, 0) & 0xffU;
   const bool complex = (reader.word(flags->data, 0) & complex_flag) != 0;
-  if (type > class_uint64) return true;
+  if (type == class_opaque) return true;  // MATLAB's own, of which libmatio reads no more than this
   const auto dimensions = reader.next();
   const auto name = dimensions ? reader.next() : std::nullopt;
   if (!name) return false;
   const auto count = entries(reader, *dimensions);
   if (!count) return false;
-  if (type == class_cell) return holds_arrays(reader, *count, depth);
+  if (type == class_cell || type == class_function) return holds_arrays(reader, *count, depth);
   if (type == class_struct) return holds_fields(reader, *count, depth);
   if (type == class_object) return reader.next().has_value() && holds_fields(reader, *count, depth);
   if (type == class_sparse) return holds_sparse(reader, reader.word(dimensions->data, 1), complex);
-  return type >= class_char && holds_numbers(reader, *count) && (!complex || holds_numbers(reader, *count));
+  return type >= class_char && type <= class_uint64 && holds_numbers(reader, *count) && (!complex || holds_numbers(reader, *count));
 }
 
 }  // namespace ehm::bench

@@ -91,6 +91,28 @@ TEST(SampleCheck, FollowsOneSourceUntilItIsReleased) {
   EXPECT_EQ(c.decide(b).verdict, SampleVerdict::accepted);
 }
 
+TEST(SampleCheck, FollowsOnlyTheSourceThatIsNamed) {
+  CheckOptions options;
+  options.source_id = 2;
+  SampleCheck c(options, 7, 1, sample_time_s);
+  Sample stranger = sample(0, 0.0), named = sample(0, 0.0);
+  stranger.source_id = 1;
+  stranger.writer = 10;
+  named.source_id = 2;
+  named.writer = 20;
+  EXPECT_EQ(c.decide(stranger).verdict, SampleVerdict::foreign);  // though nobody else has spoken
+  EXPECT_EQ(c.source_id(), 2u);
+  EXPECT_EQ(c.decide(named).verdict, SampleVerdict::first);
+  c.release_source();
+  stranger = sample(1, 0.015);
+  stranger.source_id = 1;
+  EXPECT_EQ(c.decide(stranger).verdict, SampleVerdict::foreign);
+  named = sample(1, 0.015);
+  named.source_id = 2;
+  named.writer = 21;  // started anew by its supervisor
+  EXPECT_EQ(c.decide(named).verdict, SampleVerdict::accepted);
+}
+
 TEST(SampleCheck, TellsWritersWithTheSameSourceIdApart) {
   SampleCheck c = check();
   Sample a = sample(0, 0.0), b = sample(1, 0.015);
