@@ -54,7 +54,8 @@ enum class EventKind : std::uint32_t {
   sample_time = 9,        ///< value: the source's mean sample time in s, threshold: the design's
   second_source = 10,     ///< value: source_id that is not listened to, threshold: the one that is
   ambiguous_fault = 11,   ///< something changed abruptly, sensor or component cannot be told; channel: likeliest sensor
-  slow_bias = 12,         ///< channel: sensor; a drift that the fleet's wear does not explain; value: bias, sensor unit
+  slow_bias = 12,         ///< channel: sensor; a drift that the fleet's wear does not explain, or (raised 0) its end;
+                          ///< value: bias, or step back, sensor unit
   checkpoint = 13,        ///< the filter resumed from a checkpoint (raised 0), or one was refused (raised 1)
   configuration = 14,     ///< a reload was taken (raised 0) or refused (raised 1, the message says why)
   input_deadline = 15,    ///< the middleware's deadline on EngineSensors was missed

@@ -57,6 +57,10 @@ void MonitorCycle::declare_sensor(const FaultVerdict& verdict) noexcept {
   const bool bias = verdict.kind == FaultKind::sensor_bias;
   const std::uint32_t why = bias ? reason::bias : reason::noise;
   declared_ = verdict;
+  came_back_ = bias && filter_.sensor_set().is_full() && slow_bias_.ended_by(verdict.channel, verdict.size);
+  if (came_back_)
+    return events_.push({wire::EventKind::slow_bias, static_cast<std::uint32_t>(verdict.channel), false, verdict.size,
+                         verdict.noticeable, why, design_->model.sample_time_s * (verdict.age + 1)});
   qualification_[s].exclude();
   sensor_fault_[s].set(true,
                        {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(verdict.channel), true, verdict.size,
@@ -81,6 +85,24 @@ void MonitorCycle::take_out_fault() noexcept {
               faults_.signatures().state.col(declared_.age * sensors_ + sensor);
   ungated_.add_difference(shift_by_);
   filter_.shift(shift_by_);
+}
+
+/// The filter goes at once to where the good sensor would lead it.
+void MonitorCycle::follow_return() noexcept {
+  const int sensor = declared_.channel;
+  const auto& signatures = faults_.signatures();
+  shift_by_ = declared_.size / faults_.tables().noise_sigma(sensor) *
+              (signatures.steady_state.col(sensor) - signatures.state.col(declared_.age * sensors_ + sensor));
+  filter_.shift(shift_by_);
+  listen_anew();
+  shift_.reset();
+}
+
+/// With all sensors, once what was wrong with the shift has died away.
+void MonitorCycle::listen_anew() noexcept {
+  ungated_.reset();
+  const double settle_s = return_settles_in * design_->full.slowest_time_constant_s;
+  faults_.change_set(-1, std::llround(settle_s / design_->model.sample_time_s));
 }
 
 void MonitorCycle::exclude(int sensor) noexcept {
@@ -112,9 +134,7 @@ void MonitorCycle::readmit() noexcept {
   const double sigmas = return_gate_.innovation_mean() / faults_.tables().noise_sigma(sensor);
   shift_by_ = sigmas * faults_.tables().full.steady_state.col(sensor);
   filter_.shift(shift_by_);
-  ungated_.reset();
-  const double settle_s = return_settles_in * design_->full.slowest_time_constant_s;
-  faults_.change_set(-1, std::llround(settle_s / design_->model.sample_time_s));
+  listen_anew();
 }
 
 }  // namespace ehm::monitor

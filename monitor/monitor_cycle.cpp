@@ -247,6 +247,7 @@ void MonitorCycle::choose_design() noexcept {
   no_design_.set(!have_design_, {wire::EventKind::no_design, 0, false, static_cast<double>(excluded), 1.0, 0}, events_);
   if (!have_design_) return;
   if (!had_design) restart_filter();  // it ran blind in the meantime
+  if (declared_.kind != FaultKind::none && came_back_) follow_return();
 
   if (filter_.sensor_set().missing() == missing) return;
   if (!filter_.sensor_set().is_full()) readmit();

@@ -126,6 +126,8 @@ class MonitorCycle {
   void exclude(int sensor) noexcept;
   void readmit() noexcept;
   void take_out_fault() noexcept;
+  void follow_return() noexcept;
+  void listen_anew() noexcept;
   std::uint32_t estimate_flags() const noexcept;
   void fly_blind_to(const Sample& next, std::uint64_t sequence) noexcept;
 
@@ -145,7 +147,8 @@ class MonitorCycle {
   Validity validity_;
   UngatedFilter ungated_;
   FaultDetector faults_;
-  FaultVerdict declared_;  ///< of this sample; taken out of the estimate at the next one
+  FaultVerdict declared_;   ///< of this sample; taken out of the estimate at the next one
+  bool came_back_ = false;  ///< what was declared is the end of a drift
   ShiftDetector shift_;
   SlowBias slow_bias_;
   LimitWatch limits_;

@@ -126,8 +126,11 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
                                     c->name)
                       : "the abrupt change is settled";
     case wire::EventKind::slow_bias:
-      return e.raised ? fmt::format("sensor {} drifts, by {:+.4g} {}", c->name, e.value, c->unit)
-                      : fmt::format("sensor {} has stopped drifting", c->name);
+      if (e.raised) return fmt::format("sensor {} drifts, by {:+.4g} {}", c->name, e.value, c->unit);
+      if (e.detail & wire::reject_reason::bias)
+        return fmt::format("sensor {} has come back from a drift, by {:+.4g} {}; the estimates follow", c->name,
+                           e.value, c->unit);
+      return fmt::format("sensor {} has stopped drifting", c->name);
     case wire::EventKind::input_deadline:
     case wire::EventKind::input_liveliness:
     case wire::EventKind::checkpoint:

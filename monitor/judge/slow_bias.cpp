@@ -19,7 +19,9 @@ constexpr double ordinary_tail = 1e-3;
 
 SlowBias::SlowBias(const FaultOptions& options, const design::Design& design)
     : threshold_(normal_quantile_above(0.5 * options.slow_bias_probability)),
+      least_gain_(-2.0 * std::log(options.wrong_name_probability)),
       persistence_samples_(std::llround(persistence_s / design.model.sample_time_s)),
+      z_(estimation::SensorVector::Zero(static_cast<Eigen::Index>(design.model.sensors.size()))),
       conditions_(design.model.sensors.size()) {
   const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(model).H;
@@ -66,6 +68,11 @@ void SlowBias::judge(const estimation::TunerVector& tuners, EventList& events) n
                    bias_per_z_(i) * threshold_, 0},
                   events);
   }
+}
+
+bool SlowBias::ended_by(int sensor, double size) const noexcept {
+  const double step = size / bias_per_z_(sensor);
+  return watches(sensor) && -2.0 * z_(sensor) * step - step * step > least_gain_;
 }
 
 void SlowBias::reset(EventList& events) noexcept {

@@ -133,7 +133,8 @@ bool is_sound_array(std::string_view content, bool little_endian, int depth) {
   if (type == class_struct) return holds_fields(reader, *count, depth);
   if (type == class_object) return reader.next().has_value() && holds_fields(reader, *count, depth);
   if (type == class_sparse) return holds_sparse(reader, reader.word(dimensions->data, 1), complex);
-  return type >= class_char && type <= class_uint64 && holds_numbers(reader, *count) && (!complex || holds_numbers(reader, *count));
+  return type >= class_char && type <= class_uint64 && holds_numbers(reader, *count) &&
+         (!complex || holds_numbers(reader, *count));
 }
 
 }  // namespace ehm::bench

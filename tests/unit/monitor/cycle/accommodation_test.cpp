@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/unit/monitor/cycle/flight.h"
+#include "tuner_design/design_tuner.h"
 
 namespace {
 
@@ -15,7 +16,8 @@ using namespace ehm::monitor;
 
 class Accommodation : public testing::Test {
  protected:
-  explicit Accommodation(std::uint64_t seed = 41) : cycle_(design_, CycleOptions{}) {
+  explicit Accommodation(std::shared_ptr<const design::Design> design = test::made_up_design(), std::uint64_t seed = 41)
+      : design_(std::move(design)), cycle_(design_, CycleOptions{}) {
     test::Random random(seed);
     flight_.emplace(design_->model, design_->model.health_sigma.cwiseProduct(random.normal_vector(10)), seed);
     fly(2000, 0, 0.0);
@@ -39,7 +41,7 @@ class Accommodation : public testing::Test {
   }
   bool used(int sensor) const { return cycle_.result().sensors_used[static_cast<std::size_t>(sensor)]; }
 
-  std::shared_ptr<const design::Design> design_ = test::made_up_design();
+  std::shared_ptr<const design::Design> design_;
   MonitorCycle cycle_;
   std::optional<test::Flight> flight_;
   double step_ = 0.0;  ///< published sigmas
@@ -70,6 +72,40 @@ TEST_F(Accommodation, ABiasedSensorStaysOutForTenMinutesAndTheEstimateWithinItsS
   EXPECT_FALSE(used(1));
   for (Eigen::Index i = 0; i < 10; ++i)
     EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), 3.0 * cycle_.error().health_sigma()(i));
+}
+
+/// A fleet so little worn that drifts stand out.
+class TightFleet : public Accommodation {
+ protected:
+  TightFleet() : Accommodation(design_of_a_tight_fleet()) {}
+
+ private:
+  static std::shared_ptr<const design::Design> design_of_a_tight_fleet() {
+    auto model = test::made_up_model(7, 10);
+    model.health_sigma *= 0.25;
+    return std::make_shared<const design::Design>(bench::design_tuner(model, design::DesignOptions{}));
+  }
+};
+
+TEST_F(TightFleet, ADriftThatEndsIsNoNewFaultAndTheEstimateFollowsAtOnce) {
+  const SlowBias judge(FaultOptions{}, *design_);
+  int drifted = 0;
+  for (int sensor = 0; sensor < 7; ++sensor) {
+    if (!judge.watches(sensor)) continue;
+    ++drifted;
+    for (int k = 0; k < 4000; ++k) fly(1, sensor, 6.0 * k / 4000.0);
+    ASSERT_TRUE(used(sensor));
+    fly(300, sensor, 0.0);
+    EXPECT_TRUE(used(sensor)) << sensor;
+    for (Eigen::Index i = 0; i < 10; ++i)
+      EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), 3.0 * cycle_.error().health_sigma()(i))
+          << sensor << ' ' << i;
+    fly(1000, sensor, 0.0);
+    fly(200, sensor, 10.0);  // and a new fault is one
+    EXPECT_FALSE(used(sensor)) << sensor;
+    fly(1500, sensor, 0.0);
+  }
+  EXPECT_EQ(drifted, 2);
 }
 
 TEST_F(Accommodation, ADropoutLeavesTheEstimateWhereItWas) {
