@@ -1,18 +1,23 @@
 #include "monitor/engine_table.h"
 
 #include <algorithm>
-#include <map>
-
 #include "monitor/design/design_file.h"
 
 namespace ehm::monitor {
 
-EngineTable::EngineTable(const MonitorConfig& config) : index_(static_cast<std::size_t>(config.max_engines)) {
-  std::map<std::string, PreparedDesign> designs;
+PreparedDesign EngineTable::prepare(const std::string& file, const EngineTable* before) {
+  auto design = std::make_shared<const design::Design>(design::read_design(file));
+  if (before)
+    for (const auto& [name, prepared] : before->designs_)
+      if (prepared.design->hash == design->hash) return prepared;
+  return PreparedDesign(std::move(design));
+}
+
+EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before)
+    : index_(static_cast<std::size_t>(config.max_engines)) {
   const auto make_slot = [&](const std::string& file) {
-    auto known = designs.find(file);
-    if (known == designs.end())
-      known = designs.try_emplace(file, std::make_shared<const design::Design>(design::read_design(file))).first;
+    auto known = designs_.find(file);
+    if (known == designs_.end()) known = designs_.emplace(file, prepare(file, before)).first;
     return std::make_unique<EngineSlot>(known->second, config.cycle);
   };
   for (const auto& assignment : config.engines)

@@ -4,7 +4,9 @@
 //
 // @throws design::FileError if a design file is bad; std::invalid_argument if an option does not fit a design.
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "monitor/config.h"
@@ -15,7 +17,8 @@ namespace ehm::monitor {
 
 class EngineTable {
  public:
-  explicit EngineTable(const MonitorConfig& config);
+  /// What `before` has prepared of designs with the same hash is shared with it: a reload keeps one copy in memory.
+  explicit EngineTable(const MonitorConfig& config, const EngineTable* before = nullptr);
 
   /// The engine's slot; null for an engine that no design serves or that finds no spare filter. A spare one is given
   /// away only if `may_join`: not for a stray message that cannot be read. Real-time safe: yes.
@@ -49,9 +52,13 @@ class EngineTable {
   std::size_t size() const noexcept { return slots_.size(); }
 
  private:
+  /// By the name of its file.
+  using Designs = std::map<std::string, PreparedDesign>;
+  static PreparedDesign prepare(const std::string& file, const EngineTable* before);
   static bool same_engine(const EngineSlot& a, const EngineSlot& b) noexcept;
   void assign(std::size_t slot, std::uint32_t engine_id) noexcept;
 
+  Designs designs_;
   std::vector<std::unique_ptr<EngineSlot>> slots_;  // named engines first, then the spare ones
   std::size_t used_ = 0;                            // slots in use
   EngineIndex index_;                               // of those

@@ -80,7 +80,7 @@ void Reloader::reload() {
     wanted = read_();
     if (const std::string refused = refused_changes(flying_, wanted.values); !refused.empty())
       throw config::ConfigError(refused);
-    table = std::make_unique<EngineTable>(wanted.config);
+    table = std::make_unique<EngineTable>(wanted.config, current_.get());
     hooks_.before(*table);
   } catch (const std::exception& e) {
     exchange_.refused.fetch_add(1, std::memory_order_relaxed);

@@ -62,7 +62,6 @@ class Service:
 MONITOR_TOML = """# The soak's monitor; a reload changes how much is logged.
 [monitor]
 design = "{design}"
-max_engines = 2  # a reload leaves memory behind for up to one table of engines: deploy/docs/resilience.md
 clock = "{clock}"
 [checks]
 source_id = 1  # the simulator: the hostile peer must not take its place while it is down or held up
