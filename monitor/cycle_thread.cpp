@@ -210,7 +210,11 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   }
   reports_.push(report);
   slot.status_ns = now_ns;
-  slot.status_received = slot.cycle.counters().received;
+  // A change of level makes two statuses close together; the rate is that of half a period at least.
+  if (now_ns - slot.rate_ns >= status_period_ns_ / 2) {
+    slot.rate_ns = now_ns;
+    slot.rate_received = slot.cycle.counters().received;
+  }
   slot.status_level = static_cast<std::uint32_t>(level);
   slot.status_counters = slot.cycle.counters();
 }

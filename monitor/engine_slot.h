@@ -22,7 +22,8 @@ struct EngineSlot {
     deadline_misses = before.deadline_misses;
     writes_refused = before.writes_refused;
     status_ns = before.status_ns;
-    status_received = before.status_received;
+    rate_ns = before.rate_ns;
+    rate_received = before.rate_received;
     recorded_loss_after = before.recorded_loss_after;
     status_records_lost = before.status_records_lost;
     losing_records = before.losing_records;
@@ -42,7 +43,8 @@ struct EngineSlot {
   std::uint64_t deadline_misses = 0;          ///< estimates later than one sample time after their sample
   std::uint64_t writes_refused = 0;           ///< by the middleware, on any estimate topic
   std::int64_t status_ns = 0;                 ///< monotonic, of the latest status
-  std::uint64_t status_received = 0;          ///< samples received up to that status
+  std::int64_t rate_ns = 0;                   ///< monotonic, from when on the rate is measured
+  std::uint64_t rate_received = 0;            ///< samples received up to then
   std::uint64_t recorded_loss_after = ~0ull;  ///< samples received when the recording's latest loss of input was noted
   std::uint64_t status_records_lost = 0;      ///< rows lost up to the latest status
   Condition losing_records;                   ///< between the latest two of them

@@ -18,7 +18,7 @@ StatusLevel level_of(const EngineSlot& slot) noexcept {
 
 MonitorStatus make_status(const EngineSlot& slot, StatusLevel level, std::int64_t now_ns, std::int64_t start_ns) {
   const CycleCounters& c = slot.cycle.counters();
-  const double since_s = 1e-9 * static_cast<double>(now_ns - slot.status_ns);
+  const double since_s = 1e-9 * static_cast<double>(now_ns - slot.rate_ns);
   MonitorStatus s;
   s.engine_id(slot.engine_id);
   s.schema(wire::schema_version);
@@ -37,7 +37,7 @@ MonitorStatus make_status(const EngineSlot& slot, StatusLevel level, std::int64_
   s.events_raised(slot.cycle.events().raised_total());
   s.deadline_misses(slot.deadline_misses);
   s.age_s(1e-9 * static_cast<double>(now_ns - (slot.received_ns != 0 ? slot.received_ns : start_ns)));
-  s.rate_hz(slot.status_ns == 0 ? 0.0 : static_cast<double>(c.received - slot.status_received) / since_s);
+  s.rate_hz(slot.rate_ns == 0 ? 0.0 : static_cast<double>(c.received - slot.rate_received) / since_s);
   s.latency_p50_us(slot.latency.percentile_us(0.50));
   s.latency_p99_us(slot.latency.percentile_us(0.99));
   s.latency_p999_us(slot.latency.percentile_us(0.999));

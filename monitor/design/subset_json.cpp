@@ -1,5 +1,6 @@
 #include "monitor/design/subset_json.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "monitor/design/file_error.h"
@@ -27,6 +28,14 @@ void check_variances(const Eigen::MatrixXd& covariance, const std::string& key, 
   if (covariance.size() == 0 || covariance.diagonal().minCoeff() >= 0.0) return;
   throw_defect(file, key, "a matrix with the variance " + shown(covariance.diagonal().minCoeff()),
                "variances of 0 or more", "Make the design again with tuner_design design");
+}
+
+/// What the detectors divide by: the noise of the tuners' estimates, V Sh V^T.
+void check_tuner_noise(const SubsetDesign& design, const std::string& key, const std::string& file) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(design.V * design.health_noise_covariance * design.V.transpose());
+  if (factor.info() == Eigen::Success) return;
+  throw_defect(file, key, "not positive definite over the tuners", "the covariance of noise that reaches every tuner",
+               "Make the design again with tuner_design design");
 }
 
 void check_closed_loop(const SubsetDesign& design, const std::string& key, const std::string& file) {
@@ -76,6 +85,7 @@ SubsetDesign subset_from_json(const Json& json, const estimation::LinearModel& m
     check_variances(*covariance, object.key(name), file);
   }
   object.refuse_unknown();
+  check_tuner_noise(design, object.key("health_noise_covariance"), file);
   check_closed_loop(design, object.key("K"), file);
   return design;
 }

@@ -60,6 +60,42 @@ TEST_F(StopTest, FiftyEnginesAreKept) {
   }));
 }
 
+TEST_F(StopTest, ReadersSeeTheEstimatesEnd) {
+  namespace dds = eprosima::fastdds::dds;
+  using HealthTopic = wire::Topic<EngineHealth>;
+  const auto monitor = start_monitor({"--metrics-listen", ""});
+  const auto simulator = start_simulator();
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 20; }));
+  // A plain reader: ours passes over what is not data.
+  auto* topic = participant_.topic(HealthTopic::name, dds::TypeSupport(new EngineHealthPubSubType()));
+  auto* reader = participant_.subscriber()->create_datareader(
+      topic, wire::reader_qos(HealthTopic::delivery, HealthTopic::estimate, {}));
+  ASSERT_NE(reader, nullptr);
+  EngineHealth estimate;
+  dds::SampleInfo info;
+  std::size_t estimates = 0;
+  bool ended = false;
+  const auto look = [&] {
+    while (!ended &&
+           reader->take_next_sample(&estimate, &info) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+      estimates += info.valid_data;
+      ended = info.instance_state == dds::NOT_ALIVE_NO_WRITERS_INSTANCE_STATE;
+    }
+  };
+  ASSERT_TRUE(listener_.await([&] {
+    look();
+    return estimates > 20;
+  }));
+  EXPECT_FALSE(ended);
+  EXPECT_EQ(stop(*monitor, "readers see the end"), 0);
+  EXPECT_TRUE(listener_.await([&] {
+    look();
+    return ended;
+  }));
+  EXPECT_EQ(listener_.status.back().level(), static_cast<std::uint32_t>(wire::StatusLevel::stopped));
+  participant_.subscriber()->delete_datareader(reader);
+}
+
 TEST_F(StopTest, AReaderThatDoesNotAnswerDoesNotDelayIt) {
   const auto monitor = start_monitor({"--metrics-listen", ""});
   const auto simulator = start_simulator();

@@ -155,6 +155,13 @@ TEST_F(DesignFile, AMatchingHashDoesNotExcuseWrongContent) {
   rewrite_with_hash(json);
   EXPECT_THAT(message_of(path), HasSubstr("health_total_covariance is a matrix with the variance -1.0; allowed:"));
   json = good;
+  for (auto& row : json["designs"]["full"]["health_noise_covariance"]) {
+    for (auto& value : row) value = 0.0;
+  }
+  rewrite_with_hash(json);
+  EXPECT_THAT(message_of(path), HasSubstr("designs.full.health_noise_covariance is not positive definite over the "
+                                          "tuners; allowed: "));
+  json = good;
   json["scaling"]["state"][0] = 1.0;
   rewrite_with_hash(json);
   EXPECT_THAT(message_of(path), HasSubstr("scaling is not the scaling of this model"));
