@@ -35,12 +35,14 @@ class CycleThread {
   void take_samples();
   void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
   void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
+  /// False if this monitor must not write now.
+  template <class T>
+  bool send(EngineSlot& slot, wire::Writer<T>& writer, const T& sample);
   void obey(const MonitorCommand& command);
   void watch_input(std::int64_t now_ns);
   void judge_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
   bool set_strength(std::uint32_t strength);
-  void notice_stall(std::int64_t now_ns);
   void exchange_table();
   void release(EngineSlot& slot);
   void release_all();
@@ -70,9 +72,7 @@ class CycleThread {
   wire::Writer<EngineHealth> health_;
   wire::Writer<EngineAuxiliary> auxiliary_;
   wire::Writer<EngineResiduals> residuals_;
-  bool leaving_ = false;             ///< engines are to be released
-  std::int64_t turn_ns_ = 0;         ///< monotonic, when this turn began; under exclusive ownership only
-  std::int64_t quiet_until_ns_ = 0;  ///< no estimates are written before
+  bool leaving_ = false;  ///< engines are to be released
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 

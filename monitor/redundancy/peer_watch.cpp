@@ -4,6 +4,8 @@
 
 #include <chrono>
 
+#include "monitor/realtime/clock.h"
+
 namespace ehm::monitor {
 
 namespace {
@@ -20,6 +22,7 @@ PeerWatch::PeerWatch(wire::Participant& participant, std::uint32_t source_id,
       source_id_(source_id),
       configured_(participant.options().redundancy.strength),
       set_strength_(std::move(set_strength)),
+      fence_(monotonic_ns(), heard_),
       thread_([this] { run(); }) {}
 
 PeerWatch::~PeerWatch() {
@@ -37,23 +40,28 @@ void PeerWatch::run() {
     }
     if (stopped()) return;
     set(configured_ + incumbent_bonus, "only this monitor is heard: one that returns stands by until this one ends");
-    incumbent_.store(true, std::memory_order_relaxed);
-    while (!stopped() && incumbent_.load(std::memory_order_relaxed)) std::this_thread::sleep_for(poll);
-    if (!stopped()) set(configured_, "held up for longer than the lease: another monitor may fly on");
+    while (!stopped() && heard_.load(std::memory_order_relaxed)) std::this_thread::sleep_for(poll);
+    if (stopped()) return;
+    // A write that the pause caught half done goes out late, and makes us the owner again: as the weakest of all, for
+    // as long as we are quiet, that is over at once.
+    set(0, "held up for longer than the lease: another monitor may fly on");
+    const auto quiet_until = Clock::now() + std::chrono::nanoseconds(WriteFence::quiet_ns);
+    while (!stopped() && Clock::now() < quiet_until) std::this_thread::sleep_for(poll);
+    if (!stopped()) set(configured_, "stands by");
   }
 }
 
 void PeerWatch::listen_until_alone() {
   wire::Reader<EngineHealth> reader(participant_);
   EngineHealth estimate;
-  bool heard_us = false;
   Clock::time_point peer_heard = Clock::now() + discovery - alone_for;
   while (!stopped()) {
     while (reader.take(estimate)) {
-      heard_us = estimate.source_id() == source_id_;
-      if (!heard_us) peer_heard = Clock::now();
+      const bool ours = estimate.source_id() == source_id_;
+      heard_.store(ours, std::memory_order_relaxed);
+      if (!ours) peer_heard = Clock::now();
     }
-    if (heard_us && Clock::now() - peer_heard > alone_for) return;
+    if (heard_.load(std::memory_order_relaxed) && Clock::now() - peer_heard > alone_for) return;
     std::this_thread::sleep_for(poll);
   }
 }

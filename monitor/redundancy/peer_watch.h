@@ -7,8 +7,8 @@
 // subscriber sees a sample twice: a stronger writer owns an instance from its first sample on, and by then subscribers
 // may have the weaker one's sample of the same number. Only the owner's own change of strength moves nothing.
 //
-// A monitor that was held up for longer than the lease has been passed over: it yields, that is, goes back to its
-// configured strength and is quiet until the other one is the incumbent.
+// A monitor that was held up for longer than the lease has been passed over: it yields (write_fence.h), that is, goes
+// back to its configured strength and is quiet until the other one is the incumbent.
 //
 // Runs on a thread of its own. Listens only while it is not the incumbent, since a reader of our own estimates costs
 // the writer time.
@@ -19,6 +19,7 @@
 #include <thread>
 
 #include "idl/dds/endpoint.h"
+#include "monitor/redundancy/write_fence.h"
 
 namespace ehm::monitor {
 
@@ -29,9 +30,9 @@ class PeerWatch {
   /// `source_id` is ours; `set_strength` is called on the watch's thread and tells whether it went.
   PeerWatch(wire::Participant& participant, std::uint32_t source_id, std::function<bool(std::uint32_t)> set_strength);
   ~PeerWatch();
-  /// We were held up and have been passed over. False if nothing was lost by that: we were not the incumbent. Real-time
-  /// safe: yes.
-  bool yield() noexcept { return incumbent_.exchange(false, std::memory_order_relaxed); }
+  /// For the cycle thread, with the monotonic clock: see write_fence.h. Real-time safe: yes.
+  void awake(std::int64_t now_ns) noexcept { fence_.awake(now_ns); }
+  bool may_write(std::int64_t now_ns) noexcept { return fence_.may_write(now_ns); }
 
  private:
   void run();
@@ -43,7 +44,10 @@ class PeerWatch {
   std::uint32_t source_id_;
   std::uint32_t configured_;
   std::function<bool(std::uint32_t)> set_strength_;
-  std::atomic<bool> incumbent_{false}, stop_{false};
+  std::atomic<bool> heard_{
+      false};  ///< our own estimate was the last one heard; the incumbent's stays so until it yields
+  std::atomic<bool> stop_{false};
+  WriteFence fence_;
   std::thread thread_;
 };
 
