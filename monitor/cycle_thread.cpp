@@ -46,8 +46,7 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(commands_.condition());
   triggered_.reserve(2);
-  if (!participant.options().redundancy.exclusive) return;
-  peers_ = std::make_unique<PeerWatch>(participant, source_id_, [this](std::uint32_t s) { return set_strength(s); });
+  if (participant.options().redundancy.exclusive) peers_ = std::make_unique<PeerWatch>(participant, source_id_);
 }
 
 void CycleThread::run_once() {
@@ -127,9 +126,9 @@ void CycleThread::publish(EngineSlot& slot, const CycleResult& result, std::int6
 }
 
 template <class T>
-bool CycleThread::send(EngineSlot& slot, wire::Writer<T>& writer, const T& sample) {
+bool CycleThread::send(EngineSlot& slot, RankedWriter<T>& writer, const T& sample) {
   if (peers_ && !peers_->may_write(monotonic_ns())) return false;
-  slot.writes_refused += !writer.write(sample);
+  slot.writes_refused += !writer.write(sample, incumbent());
   return true;
 }
 
@@ -233,10 +232,6 @@ void CycleThread::exchange_table() {
   engines_ = next;
 }
 
-bool CycleThread::set_strength(std::uint32_t strength) {
-  return health_.set_strength(strength) && auxiliary_.set_strength(strength) && residuals_.set_strength(strength);
-}
-
 /// In the middle of the pause between two samples, when every monitor has written its estimate of the last one; or the
 /// engine has fallen silent.
 bool CycleThread::between_samples(const EngineSlot& slot, std::int64_t now_ns) {
@@ -249,9 +244,9 @@ void CycleThread::release(EngineSlot& slot) {
   health_sample_.engine_id(slot.engine_id);
   auxiliary_sample_.engine_id(slot.engine_id);
   residuals_sample_.engine_id(slot.engine_id);
-  health_.release(health_sample_);
-  auxiliary_.release(auxiliary_sample_);
-  residuals_.release(residuals_sample_);
+  health_.release(health_sample_, incumbent());
+  auxiliary_.release(auxiliary_sample_, incumbent());
+  residuals_.release(residuals_sample_, incumbent());
   slot.released = true;
 }
 

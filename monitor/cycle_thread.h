@@ -13,6 +13,7 @@
 #include "monitor/realtime/arrival_clock.h"
 #include "monitor/record/record_feed.h"
 #include "monitor/redundancy/peer_watch.h"
+#include "monitor/redundancy/ranked_writer.h"
 #include "monitor/reload/table_exchange.h"
 #include "monitor/report.h"
 
@@ -37,12 +38,12 @@ class CycleThread {
   void publish(EngineSlot& slot, const CycleResult& result, std::int64_t arrival_ns);
   /// False if this monitor must not write now.
   template <class T>
-  bool send(EngineSlot& slot, wire::Writer<T>& writer, const T& sample);
+  bool send(EngineSlot& slot, RankedWriter<T>& writer, const T& sample);
   void obey(const MonitorCommand& command);
   void watch_input(std::int64_t now_ns);
   void judge_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
-  bool set_strength(std::uint32_t strength);
+  bool incumbent() const { return peers_ && peers_->incumbent(); }
   void exchange_table();
   void release(EngineSlot& slot);
   void release_all();
@@ -69,9 +70,9 @@ class CycleThread {
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;
-  wire::Writer<EngineHealth> health_;
-  wire::Writer<EngineAuxiliary> auxiliary_;
-  wire::Writer<EngineResiduals> residuals_;
+  RankedWriter<EngineHealth> health_;
+  RankedWriter<EngineAuxiliary> auxiliary_;
+  RankedWriter<EngineResiduals> residuals_;
   bool leaving_ = false;  ///< engines are to be released
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;

@@ -16,14 +16,8 @@ constexpr std::chrono::milliseconds discovery{1000};  // two announcements: afte
 constexpr std::chrono::milliseconds alone_for{250};
 }  // namespace
 
-PeerWatch::PeerWatch(wire::Participant& participant, std::uint32_t source_id,
-                     std::function<bool(std::uint32_t)> set_strength)
-    : participant_(participant),
-      source_id_(source_id),
-      configured_(participant.options().redundancy.strength),
-      set_strength_(std::move(set_strength)),
-      fence_(monotonic_ns(), heard_),
-      thread_([this] { run(); }) {}
+PeerWatch::PeerWatch(wire::Participant& participant, std::uint32_t source_id)
+    : participant_(participant), source_id_(source_id), fence_(monotonic_ns(), heard_), thread_([this] { run(); }) {}
 
 PeerWatch::~PeerWatch() {
   stop_.store(true, std::memory_order_relaxed);
@@ -39,15 +33,12 @@ void PeerWatch::run() {
       return;
     }
     if (stopped()) return;
-    set(configured_ + incumbent_bonus, "only this monitor is heard: one that returns stands by until this one ends");
+    spdlog::info("only this monitor is heard: one that returns stands by until this one ends");
+    incumbent_.store(true, std::memory_order_relaxed);
     while (!stopped() && heard_.load(std::memory_order_relaxed)) std::this_thread::sleep_for(poll);
-    if (stopped()) return;
-    // A write that the pause caught half done goes out late, and makes us the owner again: as the weakest of all, for
-    // as long as we are quiet, that is over at once.
-    set(0, "held up for longer than the lease: another monitor may fly on");
-    const auto quiet_until = Clock::now() + std::chrono::nanoseconds(WriteFence::quiet_ns);
-    while (!stopped() && Clock::now() < quiet_until) std::this_thread::sleep_for(poll);
-    if (!stopped()) set(configured_, "stands by");
+    if (stopped()) return;  // still as the incumbent, whose last word is the release of its engines
+    incumbent_.store(false, std::memory_order_relaxed);
+    spdlog::info("held up for longer than the lease: another monitor may fly on");
   }
 }
 
@@ -64,13 +55,6 @@ void PeerWatch::listen_until_alone() {
     if (heard_.load(std::memory_order_relaxed) && Clock::now() - peer_heard > alone_for) return;
     std::this_thread::sleep_for(poll);
   }
-}
-
-void PeerWatch::set(std::uint32_t strength, const char* why) {
-  if (set_strength_(strength))
-    spdlog::info("{}", why);
-  else
-    spdlog::warn("the middleware refused ownership strength {}: a monitor that returns may take over", strength);
 }
 
 }  // namespace ehm::monitor
