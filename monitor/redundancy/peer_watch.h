@@ -39,8 +39,7 @@ class PeerWatch {
 
   wire::Participant& participant_;
   std::uint32_t source_id_;
-  std::atomic<bool> heard_{
-      false};  ///< our own estimate was the last one heard; the incumbent's stays so until it yields
+  std::atomic<bool> heard_{false};  ///< the last estimate heard was ours; of the incumbent, until it yields
   std::atomic<bool> incumbent_{false}, stop_{false};
   WriteFence fence_;
   std::thread thread_;
