@@ -13,10 +13,6 @@ using wire::StatusLevel;
 
 namespace {
 constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
-// Redundant monitors: who returns, or was held up, first lets the other one become the incumbent
-// (redundancy/peer_watch.h).
-constexpr std::int64_t quiet_ns = 500'000'000;
-constexpr auto longest_turn_ns = static_cast<std::int64_t>(0.75e9 * wire::redundant_lease_s);
 constexpr double leaving_wait_s = 0.002;  // while the pause between two samples is looked for
 constexpr std::int64_t longest_release_ns = 100'000'000;
 // The engines are looked through so often, not at each sample: with N engines that would be N^2 looks a sample time.
@@ -50,10 +46,7 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(commands_.condition());
   triggered_.reserve(2);
-  if (!participant.options().redundancy.exclusive) return;
-  peers_ = std::make_unique<PeerWatch>(participant, source_id_, [this](std::uint32_t s) { return set_strength(s); });
-  turn_ns_ = start_ns_;
-  quiet_until_ns_ = start_ns_ + quiet_ns;
+  if (participant.options().redundancy.exclusive) peers_ = std::make_unique<PeerWatch>(participant, source_id_);
 }
 
 void CycleThread::run_once() {
@@ -61,7 +54,7 @@ void CycleThread::run_once() {
   // The condition does not trigger again for samples that were left behind.
   if (!backlog_) wait_set_.wait(triggered_, eprosima::fastrtps::Duration_t(static_cast<long double>(wait_s)));
   arrival_.wake_up();
-  if (peers_) notice_stall(monotonic_ns());
+  if (peers_) peers_->awake(monotonic_ns());
   exchange_table();
   take_samples();
   MonitorCommand command;
@@ -118,23 +111,29 @@ void CycleThread::first_sample(EngineSlot& slot) {
 /// EngineHealth first: judging the sample, and the rest of what is published, can wait.
 void CycleThread::publish(EngineSlot& slot, std::int64_t arrival_ns) {
   const CycleResult& result = slot.cycle.result();
-  const bool silent = slot.released || turn_ns_ < quiet_until_ns_;
   const Stamp stamp{slot.engine_id, source_id_, slot.sample.sequence, slot.sample.source_time_ns, wall_clock_ns()};
-  if (result.estimates && !silent) {
+  if (result.estimates) {
     convert(slot.cycle, result, stamp, health_sample_);
-    slot.writes_refused += !health_.write(health_sample_);
-    const double latency_us = std::max(0.0, 1e-3 * static_cast<double>(monotonic_ns() - arrival_ns));
-    slot.latency.record(latency_us);
-    slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
+    if (send(slot, health_, health_sample_)) {
+      const double latency_us = std::max(0.0, 1e-3 * static_cast<double>(monotonic_ns() - arrival_ns));
+      slot.latency.record(latency_us);
+      slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
+    }
   }
   slot.cycle.judge();
-  if (silent) return;
   if (result.estimates) {
     convert(slot.cycle, result, stamp, auxiliary_sample_);
-    slot.writes_refused += !auxiliary_.write(auxiliary_sample_);
+    send(slot, auxiliary_, auxiliary_sample_);
   }
   convert(result, stamp, residuals_sample_);
-  slot.writes_refused += !residuals_.write(residuals_sample_);
+  send(slot, residuals_, residuals_sample_);
+}
+
+template <class T>
+bool CycleThread::send(EngineSlot& slot, RankedWriter<T>& writer, const T& sample) {
+  if (slot.released || (peers_ && !peers_->may_write(monotonic_ns()))) return false;
+  slot.writes_refused += !writer.write(sample, incumbent());
+  return true;
 }
 
 void CycleThread::obey(const MonitorCommand& command) {
@@ -241,15 +240,6 @@ void CycleThread::exchange_table() {
   engines_ = next;
 }
 
-bool CycleThread::set_strength(std::uint32_t strength) {
-  return health_.set_strength(strength) && auxiliary_.set_strength(strength) && residuals_.set_strength(strength);
-}
-
-void CycleThread::notice_stall(std::int64_t now_ns) {
-  if (now_ns - turn_ns_ > longest_turn_ns && peers_->yield()) quiet_until_ns_ = now_ns + quiet_ns;
-  turn_ns_ = now_ns;
-}
-
 /// In the middle of the pause between two samples, when every monitor has written its estimate of the last one; or the
 /// engine has fallen silent.
 bool CycleThread::between_samples(const EngineSlot& slot, std::int64_t now_ns) {
@@ -262,9 +252,9 @@ void CycleThread::release(EngineSlot& slot) {
   health_sample_.engine_id(slot.engine_id);
   auxiliary_sample_.engine_id(slot.engine_id);
   residuals_sample_.engine_id(slot.engine_id);
-  health_.release(health_sample_);
-  auxiliary_.release(auxiliary_sample_);
-  residuals_.release(residuals_sample_);
+  health_.release(health_sample_, incumbent());
+  auxiliary_.release(auxiliary_sample_, incumbent());
+  residuals_.release(residuals_sample_, incumbent());
   slot.released = true;
 }
 

@@ -13,6 +13,7 @@
 #include "monitor/realtime/arrival_clock.h"
 #include "monitor/record/record_feed.h"
 #include "monitor/redundancy/peer_watch.h"
+#include "monitor/redundancy/ranked_writer.h"
 #include "monitor/reload/table_exchange.h"
 #include "monitor/report.h"
 
@@ -35,12 +36,14 @@ class CycleThread {
   void take_samples();
   void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
   void publish(EngineSlot& slot, std::int64_t arrival_ns);
+  /// False if this monitor must not write now.
+  template <class T>
+  bool send(EngineSlot& slot, RankedWriter<T>& writer, const T& sample);
   void obey(const MonitorCommand& command);
   void watch_input(std::int64_t now_ns);
   void judge_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
-  bool set_strength(std::uint32_t strength);
-  void notice_stall(std::int64_t now_ns);
+  bool incumbent() const { return peers_ && peers_->incumbent(); }
   void exchange_table();
   void release(EngineSlot& slot);
   void release_all();
@@ -67,12 +70,10 @@ class CycleThread {
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;
-  wire::Writer<EngineHealth> health_;
-  wire::Writer<EngineAuxiliary> auxiliary_;
-  wire::Writer<EngineResiduals> residuals_;
-  bool leaving_ = false;             ///< engines are to be released
-  std::int64_t turn_ns_ = 0;         ///< monotonic, when this turn began; under exclusive ownership only
-  std::int64_t quiet_until_ns_ = 0;  ///< no estimates are written before
+  RankedWriter<EngineHealth> health_;
+  RankedWriter<EngineAuxiliary> auxiliary_;
+  RankedWriter<EngineResiduals> residuals_;
+  bool leaving_ = false;  ///< engines are to be released
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 

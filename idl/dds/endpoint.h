@@ -14,11 +14,14 @@ namespace ehm::wire {
 template <class T>
 class Writer : private eprosima::fastdds::dds::DataWriterListener {
  public:
-  explicit Writer(Participant& participant) : participant_(participant) {
+  /// `stronger_by`: ownership strength beyond the participant's.
+  explicit Writer(Participant& participant, std::uint32_t stronger_by = 0) : participant_(participant) {
     auto* topic = participant.topic(
         Topic<T>::name, eprosima::fastdds::dds::TypeSupport(new GuardedType<typename Topic<T>::PubSubType>()));
+    Redundancy redundancy = participant.options().redundancy;
+    redundancy.strength += stronger_by;
     writer_ = participant.publisher()->create_datawriter(
-        topic, writer_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy), this);
+        topic, writer_qos(Topic<T>::delivery, Topic<T>::estimate, redundancy), this);
     if (!writer_) throw participant.refused("writer", Topic<T>::name);
   }
   ~Writer() override {
@@ -30,12 +33,6 @@ class Writer : private eprosima::fastdds::dds::DataWriterListener {
 
   /// False when the middleware refused the sample; the caller counts it.
   bool write(const T& sample) { return writer_->write(const_cast<T*>(&sample)); }
-  /// Changes the ownership strength of all instances at run time; not for the cycle thread. False if refused.
-  bool set_strength(std::uint32_t strength) {
-    auto qos = writer_->get_qos();
-    qos.ownership_strength().value = strength;
-    return writer_->set_qos(qos) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
-  }
   /// Ends the instance as far as this writer goes: readers see NOT_ALIVE, or the next weaker writer.
   void release(const T& key) { writer_->unregister_instance(const_cast<T*>(&key), eprosima::fastdds::dds::HANDLE_NIL); }
   /// Readers matched at present.

@@ -4,6 +4,8 @@
 
 #include <chrono>
 
+#include "monitor/realtime/clock.h"
+
 namespace ehm::monitor {
 
 namespace {
@@ -14,13 +16,8 @@ constexpr std::chrono::milliseconds discovery{1000};  // two announcements: afte
 constexpr std::chrono::milliseconds alone_for{250};
 }  // namespace
 
-PeerWatch::PeerWatch(wire::Participant& participant, std::uint32_t source_id,
-                     std::function<bool(std::uint32_t)> set_strength)
-    : participant_(participant),
-      source_id_(source_id),
-      configured_(participant.options().redundancy.strength),
-      set_strength_(std::move(set_strength)),
-      thread_([this] { run(); }) {}
+PeerWatch::PeerWatch(wire::Participant& participant, std::uint32_t source_id)
+    : participant_(participant), source_id_(source_id), fence_(monotonic_ns(), heard_), thread_([this] { run(); }) {}
 
 PeerWatch::~PeerWatch() {
   stop_.store(true, std::memory_order_relaxed);
@@ -36,33 +33,28 @@ void PeerWatch::run() {
       return;
     }
     if (stopped()) return;
-    set(configured_ + incumbent_bonus, "only this monitor is heard: one that returns stands by until this one ends");
+    spdlog::info("only this monitor is heard: one that returns stands by until this one ends");
     incumbent_.store(true, std::memory_order_relaxed);
-    while (!stopped() && incumbent_.load(std::memory_order_relaxed)) std::this_thread::sleep_for(poll);
-    if (!stopped()) set(configured_, "held up for longer than the lease: another monitor may fly on");
+    while (!stopped() && heard_.load(std::memory_order_relaxed)) std::this_thread::sleep_for(poll);
+    if (stopped()) return;  // still as the incumbent, whose last word is the release of its engines
+    incumbent_.store(false, std::memory_order_relaxed);
+    spdlog::info("held up for longer than the lease: another monitor may fly on");
   }
 }
 
 void PeerWatch::listen_until_alone() {
   wire::Reader<EngineHealth> reader(participant_);
   EngineHealth estimate;
-  bool heard_us = false;
   Clock::time_point peer_heard = Clock::now() + discovery - alone_for;
   while (!stopped()) {
     while (reader.take(estimate)) {
-      heard_us = estimate.source_id() == source_id_;
-      if (!heard_us) peer_heard = Clock::now();
+      const bool ours = estimate.source_id() == source_id_;
+      heard_.store(ours, std::memory_order_relaxed);
+      if (!ours) peer_heard = Clock::now();
     }
-    if (heard_us && Clock::now() - peer_heard > alone_for) return;
+    if (heard_.load(std::memory_order_relaxed) && Clock::now() - peer_heard > alone_for) return;
     std::this_thread::sleep_for(poll);
   }
-}
-
-void PeerWatch::set(std::uint32_t strength, const char* why) {
-  if (set_strength_(strength))
-    spdlog::info("{}", why);
-  else
-    spdlog::warn("the middleware refused ownership strength {}: a monitor that returns may take over", strength);
 }
 
 }  // namespace ehm::monitor

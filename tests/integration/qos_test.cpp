@@ -28,7 +28,7 @@ TEST_F(QosTest, ExclusiveOwnershipMustBeAskedForAndIsReported) {
   redundant.redundancy.exclusive = true;
   wire::Participant asks(redundant);
   wire::Reader<EngineHealth> reader(asks);
-  ASSERT_TRUE(listener_.await([&] { return reader.matched() == 1; }));
+  ASSERT_TRUE(listener_.await([&] { return reader.matched() == 2; }));  // a writer for each rank
   // The listener of this fixture asks for shared ownership; the monitor says that it cannot be served.
   ASSERT_TRUE(listener_.await([&] {
     return monitor->log().find("exclude each other by QoS ownership") != std::string::npos;

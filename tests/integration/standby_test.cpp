@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "monitor/realtime/clock.h"
+#include "monitor/redundancy/write_fence.h"
 #include "tests/integration/pair.h"
 #include "tests/temporary_folder.h"
 
@@ -102,6 +103,8 @@ class StandbyTest : public PairTest {
   Member& heard() { return seen_.back().health.source_id() == first_id ? first_ : second_; }
   Member& other(const Member& m) { return &m == &first_ ? second_ : first_; }
   Kill kill_and_return();
+  /// Stops the monitor that is heard until the other one is, and lets it go on; false if the host spoiled it.
+  bool hold_up();
   std::size_t doubles() const {
     std::size_t count = 0;
     for (std::size_t i = 1; i < seen_.size(); ++i)
@@ -196,17 +199,57 @@ TEST_F(StandbyTest, AnOrderedStopHandsOverWithoutAGap) {
   EXPECT_EQ(doubles(), 0u);
 }
 
-TEST_F(StandbyTest, AMonitorThatWasHeldUpYields) {
-  start_both();
+bool StandbyTest::hold_up() {
   Member& held = heard();
   held.process->signal(SIGSTOP);
-  ASSERT_TRUE(await_source(other(held).source_id));
+  EXPECT_TRUE(await_source(other(held).source_id));
   const std::size_t from = seen_.size();
+  const std::int64_t continued_ns = monitor::wall_clock_ns();
   held.process->signal(SIGCONT);  // finds the samples of its pause waiting
-  ASSERT_TRUE(await([&] { return seen_.size() > from + 150; }));
-  for (std::size_t i = from; i < seen_.size(); ++i)
-    ASSERT_EQ(seen_[i].health.source_id(), other(held).source_id) << "sample " << i - from << " after it went on";
-  EXPECT_EQ(doubles(), 0u);
+  EXPECT_TRUE(await([&] { return seen_.size() > from + 110; }));
+  int late = 0, back = 0;
+  for (std::size_t i = from; i < seen_.size(); ++i) {
+    const Seen &before = seen_[i - 1], &now = seen_[i];
+    // Silent for nearly the lease: the host paused, and the subscriber or the other monitor with it. That is a second
+    // failure, and who flies on after that is another question.
+    if (now.received_ns - before.received_ns > monitor::WriteFence::longest_silence_ns) return false;
+    back += now.health.sequence_number() <= before.health.sequence_number();
+    if (now.health.source_id() == other(held).source_id) continue;
+    // A stop in the middle of a write: the rest of its datagrams go out when the process goes on, and nobody can call
+    // that one sample back. It was made before the stop; whatever is made afterwards must not be heard.
+    EXPECT_LT(now.health.publish_time_ns(), continued_ns) << "sample " << i - from << " after it went on";
+    ++late;
+  }
+  EXPECT_LE(late, 1);
+  EXPECT_LE(back, late);
+  if (late > 0) std::printf("the stop fell into a write, which was seen late\n");
+  return true;
+}
+
+TEST_F(StandbyTest, AMonitorThatWasHeldUpYields) {
+  constexpr int holds = 3, most_tries = 12;
+  start_both();
+  int judged = 0;
+  for (int i = 0; i < most_tries && judged < holds && !HasFailure(); ++i) judged += hold_up();
+  EXPECT_EQ(judged, holds) << "the host pauses all the time";
+}
+
+TEST_F(StandbyTest, ASourceThatPausesIsSeenOnce) {
+  constexpr int pauses = 20;
+  start_both();
+  // Longer than the lease: readers hold both monitors for dead, and would belong to the first that writes again.
+  std::uniform_int_distribution<int> pause_ms(65, 150);
+  for (int i = 0; i < pauses; ++i) {
+    simulator_->signal(SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms(random_)));
+    simulator_->signal(SIGCONT);
+    const std::size_t on = seen_.size() + 15;
+    ASSERT_TRUE(await([&] { return seen_.size() > on; }));
+  }
+  std::printf("%d pauses of the source: %zu doubles\n", pauses, doubles());
+  // None is asked. A host that holds up the subscriber itself may make one; without the standby's holding back it is
+  // every fifth.
+  EXPECT_LE(doubles(), 1u);
 }
 
 }  // namespace

@@ -74,10 +74,14 @@ wire::ParticipantOptions SecuredPair::options(const std::string& name, const std
   return o;
 }
 
-std::unique_ptr<Process> SecuredPair::start_monitor() const {
-  return std::make_unique<Process>(std::vector<std::string>{EHM_MONITOR, "--dds-domain", std::to_string(domain_),
-                                                            "--dds-security", identity("monitor"), "--monitor-design",
-                                                            EHM_DESIGN_FILE, "--monitor-status-period-s", "0.2"});
+std::unique_ptr<Process> SecuredPair::start_monitor(const std::string& name,
+                                                    const std::vector<std::string>& flags) const {
+  std::vector<std::string> arguments{
+      EHM_MONITOR,    "--dds-domain",     std::to_string(domain_), "--dds-security",
+      identity(name), "--monitor-design", EHM_DESIGN_FILE,         "--monitor-status-period-s",
+      "0.2"};
+  arguments.insert(arguments.end(), flags.begin(), flags.end());
+  return std::make_unique<Process>(arguments);
 }
 
 std::unique_ptr<Process> SecuredPair::start_simulator(const std::vector<std::string>& flags) const {
@@ -101,7 +105,7 @@ void SecuredPair::start_all() {
 
 bool SecuredPair::goes_on(std::size_t more) {
   const std::size_t before = viewer_->estimates(1);
-  return viewer_->await([&] { return viewer_->estimates(1) >= before + more; }) && monitor_->running() &&
+  return viewer_->await([&] { return viewer_->estimates(1) >= before + more; }) && (!monitor_ || monitor_->running()) &&
          simulator_->running();
 }
 

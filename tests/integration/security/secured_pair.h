@@ -26,6 +26,8 @@ class Viewer {
   std::string security_event(const std::string& part) const;
   /// Estimates of one engine.
   std::size_t estimates(std::uint32_t engine_id) const;
+  /// Writers of estimates whose keys have been exchanged.
+  int matched() const { return health_.matched(); }
 
   std::vector<EngineHealth> health;
   std::vector<MonitorStatus> status;
@@ -48,7 +50,8 @@ class SecuredPair : public testing::Test {
   static void make_identity(const std::vector<std::string>& arguments);
   /// A participant with that identity; without one if it is empty.
   wire::ParticipantOptions options(const std::string& name, const std::string& identity) const;
-  std::unique_ptr<Process> start_monitor() const;
+  std::unique_ptr<Process> start_monitor(const std::string& name = "monitor",
+                                         const std::vector<std::string>& flags = {}) const;
   /// Flies at once; engine and source id as given.
   std::unique_ptr<Process> start_simulator(const std::vector<std::string>& flags = {}) const;
   /// Monitor, simulator and viewer, until estimates flow.

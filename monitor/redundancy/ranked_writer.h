@@ -1,0 +1,35 @@
+#pragma once
+// The writer of one topic of estimates; under exclusive ownership two DDS writers, one for each rank (peer_watch.h).
+//
+// Two, because the strength of one cannot be changed for everybody: with DDS Security, readers of Fast DDS 2.9.1 keep
+// the strength that they saw when they matched. And so a rank holds from the very sample on that is written with it.
+//
+// Real-time safe: as wire::Writer. Must be destroyed before its Participant.
+
+#include <cstdint>
+#include <optional>
+
+#include "idl/dds/endpoint.h"
+
+namespace ehm::monitor {
+
+inline constexpr std::uint32_t incumbent_bonus = 2'000'000;  // twice the largest dds.ownership_strength
+
+template <class T>
+class RankedWriter {
+ public:
+  explicit RankedWriter(wire::Participant& participant) : configured_(participant) {
+    if (participant.options().redundancy.exclusive) incumbent_.emplace(participant, incumbent_bonus);
+  }
+  /// False when the middleware refused the sample.
+  bool write(const T& sample, bool as_incumbent) { return ranked(as_incumbent).write(sample); }
+  void release(const T& key, bool as_incumbent) { ranked(as_incumbent).release(key); }
+
+ private:
+  wire::Writer<T>& ranked(bool as_incumbent) { return as_incumbent && incumbent_ ? *incumbent_ : configured_; }
+
+  wire::Writer<T> configured_;
+  std::optional<wire::Writer<T>> incumbent_;
+};
+
+}  // namespace ehm::monitor
