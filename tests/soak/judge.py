@@ -4,6 +4,7 @@ SENSOR_FAULT, HEALTH_SHIFT, INPUT_LOST, AMBIGUOUS = 1, 2, 5, 11
 HICCUP_S = 0.25  # a shared machine pauses simulator or monitor for so long by itself; more than that is an event
 OUTCOMES = ("processed", "withheld", "duplicated", "reordered", "foreign", "malformed")
 DOWN = ("kill ",)
+FEW = 5
 
 
 def percentile(values, share):
@@ -60,7 +61,17 @@ def mismatches(record):
     return sum(1 for s in record.statuses if s["received"] != sum(s[k] for k in OUTCOMES))
 
 
-def growth(record, quantity, warm_up_s):
+def memory_growth(warm):
+    return max(warm) - warm[0]
+
+
+def descriptor_growth(warm):
+    """The least of some readings: a checkpoint that is being written holds a file open for a moment."""
+    return min(warm[-FEW:]) - min(warm[:FEW])
+
+
+def growth(record, quantity, warm_up_s, of):
+    """Worst over all lives of all services."""
     worst = 0.0
     for samples in record.usage.values():
         lives = {}
@@ -69,8 +80,22 @@ def growth(record, quantity, warm_up_s):
         for values in lives.values():
             warm = [v for wall, v in values if wall - values[0][0] >= warm_up_s]
             if warm:
-                worst = max(worst, max(warm) - warm[0])
+                worst = max(worst, of(warm))
     return worst
+
+
+def unpaused(record):
+    """Statuses of lives of the monitor until it is paused: its histogram keeps what the soak itself did to it."""
+    pauses = [d.start_t for d in record.disturbances if d.kind == "pause monitor"]
+    life_t = received = 0
+    clean = []
+    for s in record.statuses:
+        if s["received"] < received:
+            life_t = s["t"]
+        received = s["received"]
+        if not any(life_t <= p <= s["t"] for p in pauses):
+            clean.append(s)
+    return clean
 
 
 def first(d, kinds):
@@ -126,9 +151,9 @@ def measure(record, warm_up_s):
         "input_hiccups_per_hour": 3600.0 * record.hiccups / max(1.0, record.seconds[-1]["t"] if record.seconds else 1.0),
         "missing_events": silent(record),
         "unexpected_exits": len(record.unexpected_exits),
-        "rss_growth_mb": growth(record, "rss_mb", warm_up_s),
-        "fd_growth": growth(record, "fds", warm_up_s),
-        "latency_p999_ms": max((1e-3 * s["latency_p999_us"] for s in record.statuses), default=0.0),
+        "rss_growth_mb": growth(record, "rss_mb", warm_up_s, memory_growth),
+        "fd_growth": growth(record, "fds", warm_up_s, descriptor_growth),
+        "latency_p999_ms": max((1e-3 * s["latency_p999_us"] for s in unpaused(record)), default=0.0),
         "sensor_fault_delay_p95_s": percentile(delays, 0.95),
         "sensor_faults_found": found / cases if cases else 1.0,
         "sensor_faults_named_right": right / len(delays) if delays else 1.0,

@@ -15,7 +15,7 @@ BLOCK = {"values": 10, "within_3": 10, "worst": 1.0, "channel": 0}
 
 
 def status(**counts):
-    zero = dict.fromkeys(("received", "lost", "latency_p999_us") + judge.OUTCOMES, 0)
+    zero = dict.fromkeys(("t", "received", "lost", "latency_p999_us") + judge.OUTCOMES, 0)
     return dict(zero, **counts)
 
 
@@ -110,6 +110,21 @@ class JudgeTest(unittest.TestCase):
         self.record.usage = {"monitor": [(wall, wall, life, {"rss_mb": mb, "fds": 7}) for wall, life, mb in use]}
         self.assertAlmostEqual(self.measured()["rss_growth_mb"], 2.0)
         self.assertEqual(self.measured()["fd_growth"], 0)
+
+    def test_descriptors_that_stay_open_are_growth_and_a_file_that_is_being_written_is_none(self):
+        counts = [7, 7, 8, 7, 7, 7, 7, 8, 7, 8, 8, 7]
+        self.record.usage = {"monitor": [(20 + k, k, 1, {"rss_mb": 1.0, "fds": n}) for k, n in enumerate(counts)]}
+        self.assertEqual(self.measured()["fd_growth"], 0)
+        self.record.usage["monitor"] += [(50 + k, k, 1, {"rss_mb": 1.0, "fds": 8}) for k in range(5)]
+        self.assertEqual(self.measured()["fd_growth"], 1)
+
+    def test_a_life_of_the_monitor_is_timed_until_it_is_paused(self):
+        self.record.disturbances = [fault(100.0, kind="pause monitor", must_find=False)]
+        self.record.statuses = [status(t=90.0, received=5, latency_p999_us=2000.0),
+                                status(t=110.0, received=6, latency_p999_us=90000.0)]
+        self.assertAlmostEqual(self.measured()["latency_p999_ms"], 2.0)
+        self.record.statuses.append(status(t=120.0, received=1, latency_p999_us=3000.0))  # started anew
+        self.assertAlmostEqual(self.measured()["latency_p999_ms"], 3.0)
 
     def test_errors_count_only_while_nothing_is_disturbed(self):
         bad = dict(BLOCK, within_3=0)
