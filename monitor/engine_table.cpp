@@ -1,6 +1,8 @@
 #include "monitor/engine_table.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include "deploy/files/file_error.h"
 #include "monitor/design/design_file.h"
 
 namespace ehm::monitor {
@@ -10,7 +12,12 @@ PreparedDesign EngineTable::prepare(const std::string& file, const EngineTable* 
   if (before)
     for (const auto& [name, prepared] : before->designs_)
       if (prepared.design->hash == design->hash) return prepared;
-  return PreparedDesign(std::move(design));
+  try {
+    return PreparedDesign(std::move(design));
+  } catch (const std::invalid_argument& e) {
+    throw files::FileError(file + ": the matrices do not fit together: " + e.what() +
+                           ". Make the design again with tuner_design design.");
+  }
 }
 
 EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before)

@@ -94,8 +94,8 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
   const Reloader reloader(source, std::move(table), exchange, notices, {know, [&] { reporter.await_reported(); }});
   CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr,
                     recorder ? &recorder->feed() : nullptr, exchange);
-  spdlog::info("monitor {} listens on domain {}, filters for {} engines are ready", config.source_id, config.domain,
-               engines.size());
+  spdlog::info("monitor {} listens on domain {}, {}, filters for {} engines are ready", config.source_id, config.domain,
+               service::security_text(config.security), engines.size());
   const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
   const service::Watchdog watchdog(cycle.turns(), "cycle");
   for (const std::string& warning : set_up_realtime(config.realtime)) spdlog::warn("{}", warning);

@@ -30,7 +30,7 @@ if [ "$full" = yes ]; then
   export ASAN_OPTIONS=new_delete_type_mismatch=0:detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
   sanitized asan-ubsan address,undefined -E '^Allocation'
   export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp history_size=7"
-  sanitized tsan thread -R 'SpscQueue|FlightTest|BadSamplesTest'
+  sanitized tsan thread -R 'SpscQueue|FlightTest|BadSamplesTest|ReloadTest|CheckpointTest'
   EHM_BUILD_DIR=$build deploy/demo.sh --seconds 30
   EHM_BUILD_DIR=$build tests/fuzz/fuzz.sh --jobs 2
   export EHM_CONTROL_SEQUENCES=1000

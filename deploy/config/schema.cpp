@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include <unistd.h>
+
 #include "deploy/config/table_reader.h"
 
 namespace ehm::config {
@@ -105,11 +107,26 @@ void Schema::add_flags(CLI::App& app) {
 
 void Schema::load(const std::string& file) {
   if (!file.empty()) load_file(file);
+  refuse_misspelt_environment();
   for (auto& entry : entries_)
     if (const char* text = std::getenv(environment_name(entry.key).c_str()))
       assign_text(entry, text, "environment variable " + environment_name(entry.key));
   for (auto& entry : entries_)
     if (entry.flag_given) assign_text(entry, entry.flag_text, "flag " + flag_name(entry.key));
+}
+
+/// A typing error in the name of EHM_DDS_SECURITY must not mean that the service flies without security. Names that are
+/// far from all known ones belong to another program.
+void Schema::refuse_misspelt_environment() const {
+  std::vector<std::string> known;
+  for (const auto& entry : entries_) known.push_back(environment_name(entry.key));
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string text = *variable;
+    const std::string name = text.substr(0, text.find('='));
+    if (!name.starts_with("EHM_") || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (const std::string meant = closest(name, known); !meant.empty())
+      throw ConfigError("environment variable " + name + ": unknown; did you mean '" + meant + "'?");
+  }
 }
 
 void Schema::load_file(const std::string& file) {

@@ -77,6 +77,7 @@ class Schema {
   };
 
   void add(Entry entry);
+  void refuse_misspelt_environment() const;
   void load_file(const std::string& file);
   void load_table(const std::string& file, const std::string& prefix, const toml::table& table);
   static void assign(Entry& entry, const toml::node& node, const std::string& origin);

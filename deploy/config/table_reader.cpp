@@ -34,7 +34,7 @@ std::string number_text(double value) {
   return error == std::errc() ? std::string(buffer, end) : std::string("?");
 }
 
-std::string suggestion(const std::string& key, const std::vector<std::string>& known) {
+std::string closest(const std::string& key, const std::vector<std::string>& known) {
   const auto distance = [](const std::string& a, const std::string& b) {  // Levenshtein
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), 0);
@@ -53,6 +53,11 @@ std::string suggestion(const std::string& key, const std::vector<std::string>& k
   std::size_t best_distance = 4;  // farther is no typing error
   for (const auto& candidate : known)
     if (const auto d = distance(key, candidate); d < best_distance) best = candidate, best_distance = d;
+  return best;
+}
+
+std::string suggestion(const std::string& key, const std::vector<std::string>& known) {
+  const std::string best = closest(key, known);
   return best.empty() ? "; the reference lists the known ones (--print-config)" : "; did you mean '" + best + "'?";
 }
 

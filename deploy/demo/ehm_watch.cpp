@@ -118,8 +118,9 @@ int main(int argc, char** argv) {
   app.footer(service::exit_code_help);
   app.add_option("--domain,--dds-domain", options.domain, "DDS domain")
       ->check(CLI::Range(0, 232))
+      ->envname("EHM_DDS_DOMAIN")
       ->capture_default_str();
-  app.add_option("--partition,--dds-partition", options.partition, "DDS partition");
+  app.add_option("--partition,--dds-partition", options.partition, "DDS partition")->envname("EHM_DDS_PARTITION");
   app.add_option("--security,--dds-security", options.security,
                  "directory of certificates and permissions that make_security.sh made")
       ->envname("EHM_DDS_SECURITY");

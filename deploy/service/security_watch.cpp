@@ -37,7 +37,9 @@ std::string without_source_line(std::string text) {
 /// Refusals come as errors; while keys are exchanged, messages that cannot be read yet come as warnings.
 void sort(IncidentBox& box, const wire::MiddlewareMessage& message) {
   const bool security = message.category.starts_with("SECURITY");
-  if (security && message.error)
+  // An endpoint that was closed while its partner greeted it.
+  const bool gone = message.text.find("Cannot find local") != std::string::npos;
+  if (security && message.error && !gone)
     box.put("refused by the security rules: " + without_source_line(message.text));
   else if (message.error && !security)
     spdlog::debug("middleware {}: {}", message.category, message.text);
@@ -51,6 +53,10 @@ std::shared_ptr<IncidentBox> hear_incidents(wire::ParticipantOptions& options) {
   options.on_stranger = [box](const std::string& text) { box->put(text); };
   options.on_middleware = [box](const wire::MiddlewareMessage& message) { sort(*box, message); };
   return box;
+}
+
+std::string security_text(const std::string& directory) {
+  return directory.empty() ? "WITHOUT security: anybody may join" : "secured by " + directory;
 }
 
 std::string incident_text(const std::string& text, std::uint64_t times) {

@@ -94,6 +94,13 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   std::int64_t received_ns() const { return info_.reception_timestamp.to_ns(); }
   /// A number that tells the writer of the sample last taken from others; not 0.
   std::uint64_t writer() const { return writer_number(info_.publication_handle); }
+  /// Was the sample last taken written by the reader's own participant?
+  bool from_this_participant() const {
+    const auto& ours = reader_->guid().guidPrefix;
+    for (unsigned i = 0; i < ours.size; ++i)
+      if (info_.publication_handle.value[i] != ours.value[i]) return false;
+    return true;
+  }
   /// Attach this to a WaitSet; it triggers while data waits.
   eprosima::fastdds::dds::StatusCondition& condition() { return reader_->get_statuscondition(); }
   int matched() const { return matched_.load(std::memory_order_acquire); }

@@ -121,9 +121,14 @@ void Participant::report_incompatible(const std::string& topic, const char* side
   std::string policy_name = "policy " + std::to_string(policy);
   for (const auto& [id, known] : names)
     if (id == policy) policy_name = known;
+  // The redundant profile differs in both from the ordinary one.
+  const bool redundancy = policy == 6 || policy == 8;
+  const std::string remedy =
+      redundancy ? ". Monitors and readers must agree: dds.ownership = \"exclusive\" (ehm_watch: --redundant), or none"
+                 : "";
   if (options_.on_incompatible)
     options_.on_incompatible("topic " + topic + ": a remote " + side + " and this one exclude each other by QoS " +
-                             policy_name + "; no data flows between them");
+                             policy_name + "; no data flows between them" + remedy);
 }
 
 }  // namespace ehm::wire

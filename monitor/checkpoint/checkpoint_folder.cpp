@@ -61,8 +61,14 @@ std::string checkpoint_path(const std::string& folder, std::uint32_t engine_id) 
 }
 
 void require_writable_folder(const std::string& folder) {
-  const std::string probe = (std::filesystem::path(folder) / "writable").string();
-  files::AtomicFile file(probe);  // its temporary file is gone without commit()
+  try {
+    const std::string probe = (std::filesystem::path(folder) / "writable").string();
+    files::AtomicFile file(probe);  // its temporary file is gone without commit()
+  } catch (const files::FileError& e) {
+    throw files::FileError(
+        "'checkpoint.directory' is '" + folder + "', which cannot be written: " + e.what() +
+        " The unit ehm-monitor@NAME makes /var/lib/ehm/NAME at its start, and may write nowhere else.");
+  }
 }
 
 ResumeTable::ResumeTable(const std::string& folder, double max_age_s, std::int64_t wall_time_ns,

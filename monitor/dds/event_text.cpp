@@ -93,6 +93,7 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
     case wire::EventKind::input_lost:
       return e.raised ? fmt::format("no sample for {:.3f} s, estimates are stale", e.value) : "samples arrive again";
     case wire::EventKind::filter_restart:
+      if (e.value == 0.0) return "the filter started anew (by a command, or with another design or other options)";
       return fmt::format("the filter started anew (the source's time or sequence jumped by {:.3f} s)", e.value);
     case wire::EventKind::operating_point:
       return e.raised ? fmt::format(

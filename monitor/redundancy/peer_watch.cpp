@@ -33,12 +33,12 @@ void PeerWatch::run() {
       return;
     }
     if (stopped()) return;
-    spdlog::info("only this monitor is heard: one that returns stands by until this one ends");
+    spdlog::info("only this monitor, {}, is heard: one that returns stands by until this one ends", source_id_);
     incumbent_.store(true, std::memory_order_relaxed);
     while (!stopped() && heard_.load(std::memory_order_relaxed)) std::this_thread::sleep_for(poll);
     if (stopped()) return;  // still as the incumbent, whose last word is the release of its engines
     incumbent_.store(false, std::memory_order_relaxed);
-    spdlog::info("held up for longer than the lease: another monitor may fly on");
+    spdlog::warn("this monitor, {}, was held up for longer than the lease: another one may fly on", source_id_);
   }
 }
 
@@ -48,7 +48,11 @@ void PeerWatch::listen_until_alone() {
   Clock::time_point peer_heard = Clock::now() + discovery - alone_for;
   while (!stopped()) {
     while (reader.take(estimate)) {
-      const bool ours = estimate.source_id() == source_id_;
+      const bool ours = reader.from_this_participant();
+      if (!ours && estimate.source_id() == source_id_ && !said_same_id_) {
+        spdlog::error("another monitor of this domain has monitor.source_id = {} too: give each its own", source_id_);
+        said_same_id_ = true;
+      }
       heard_.store(ours, std::memory_order_relaxed);
       if (!ours) peer_heard = Clock::now();
     }

@@ -1,4 +1,4 @@
-// The design file: refused with a FileError, or a design that a cycle can be made of and flies.
+// The design file: refused with a FileError, or for matrices that do not fit together, or a design that flies.
 
 #include "deploy/files/file_error.h"
 #include "monitor/design/design_file.h"
@@ -38,7 +38,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     EHM_REQUIRE(e.what()[0] != '\0');
     return 0;
   }
-  monitor::MonitorCycle cycle(design, monitor::CycleOptions{});
+  std::unique_ptr<monitor::MonitorCycle> made;
+  try {
+    made = std::make_unique<monitor::MonitorCycle>(design, monitor::CycleOptions{});
+  } catch (const std::invalid_argument& e) {  // the engine table adds the file's name
+    EHM_REQUIRE(e.what()[0] != '\0');
+    return 0;
+  }
+  monitor::MonitorCycle& cycle = *made;
   for (std::uint64_t i = 0; i < 12; ++i) {
     cycle.process(at_trim(design->model, i));
     fuzz::require_promises(cycle);

@@ -96,6 +96,13 @@ TEST_F(SchemaTest, MistakesInFlagsAndEnvironmentAreNamed) {
   EXPECT_EQ(message_of<ConfigError>([&] { schema_.load(""); }),
             "environment variable EHM_NAMES_ON: 'names.on' is 'yes', allowed is true or false");
   unsetenv("EHM_NAMES_ON");
+  setenv("EHM_NAMES_NO", "true", 1);
+  EXPECT_EQ(message_of<ConfigError>([&] { schema_.load(""); }),
+            "environment variable EHM_NAMES_NO: unknown; did you mean 'EHM_NAMES_ON'?");
+  unsetenv("EHM_NAMES_NO");
+  setenv("EHM_OF_ANOTHER_PROGRAM", "1", 1);
+  schema_.load("");
+  unsetenv("EHM_OF_ANOTHER_PROGRAM");
 }
 
 TEST_F(SchemaTest, ThePrintedReferenceReadsBackAsTheDefaults) {
