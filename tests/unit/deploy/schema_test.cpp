@@ -101,7 +101,7 @@ TEST_F(SchemaTest, MistakesInFlagsAndEnvironmentAreNamed) {
             "environment variable EHM_NAMES_NO: unknown; did you mean 'EHM_NAMES_ON'?");
   unsetenv("EHM_NAMES_NO");
   setenv("EHM_OF_ANOTHER_PROGRAM", "1", 1);
-  EXPECT_THAT(message_of<ConfigError>([&] { schema_.load(""); }), testing::StartsWith("flag "));  // not of that
+  EXPECT_EQ(message_of<ConfigError>([&] { schema_.load(""); }).substr(0, 5), "flag ");  // and not of that
   unsetenv("EHM_OF_ANOTHER_PROGRAM");
 }
 
