@@ -21,6 +21,7 @@ until_true() {
   done
 }
 new_process() { local pid; pid=$(property "$1" MainPID); [ "$pid" -gt 0 ] && [ "$pid" != "$2" ] && [ "$(property "$1" ActiveState)" = active ]; }
+journal_has() { journalctl -u ehm-monitor | grep -q -- "$1"; }
 health() { exec 3<>/dev/tcp/127.0.0.1/9477 && printf 'GET /health HTTP/1.0\r\n\r\n' >&3 && grep -q ' 200 ' <&3; }
 
 systemctl is-system-running --wait >/dev/null
@@ -46,7 +47,7 @@ if [ "$limit" = 80 ]; then
   grep -q '^VmLck:.* [1-9][0-9]* kB' "/proc/$pid/status" || fail "memory is not locked"
   passed "without root: $(echo "$threads" | grep -c SCHED_FIFO) threads under SCHED_FIFO, memory locked"
 else
-  journalctl -u ehm-monitor | grep -q 'Remedy: raise the limit' || fail "nothing is said of the refused realtime keys"
+  journal_has 'Remedy: raise the limit' || fail "nothing is said of the refused realtime keys"
   echo "booted: SCHED_FIFO not tried: this host grants the limit $limit, not 80; the monitor said so and flew"
 fi
 
@@ -64,6 +65,15 @@ systemctl start ehm-monitor@standby || fail "an instance does not start"
 [ -d /var/lib/ehm/standby ] || fail "the instance has no folder of its own"
 passed "an instance runs beside it"
 
+systemctl reload ehm-monitor || fail "a good configuration is not reloaded"
+until_true 10 journal_has 'configuration and designs reloaded' || fail "the monitor says nothing of the reload"
+sed -i.good 's/^domain = .*/domian = 0/' /etc/ehm/monitor.toml
+systemctl reload ehm-monitor 2>/dev/null && fail "systemctl reports the reload of a wrong configuration as done"
+until_true 5 journal_has "did you mean 'dds.domain'" || fail "the journal does not say what is wrong with the reload"
+mv /etc/ehm/monitor.toml.good /etc/ehm/monitor.toml
+[ "$(property ehm-monitor ActiveState)" = active ] || fail "a refused reload ended the monitor"
+passed "a reload is taken; a wrong one fails in systemctl, says why, and the old configuration flies on"
+
 before=$(property ehm-monitor MainPID)
 apt-get install -y -qq --allow-downgrades "$next"/ehm-monitor_*.deb >/tmp/upgrade.log 2>&1 || { cat /tmp/upgrade.log; fail "upgrade"; }
 new_process ehm-monitor "$before" || fail "the upgrade left the old program running"
@@ -75,7 +85,7 @@ sed -i 's/^domain = .*/domain = 999/' /etc/ehm/monitor.toml
 systemctl start ehm-monitor 2>/dev/null && fail "a wrong configuration starts"
 [ "$(property ehm-monitor ExecMainStatus)" = 2 ] || fail "exit code $(property ehm-monitor ExecMainStatus), not 2"
 [ "$(property ehm-monitor ActiveState)" = failed ] || fail "a wrong configuration is started again and again"
-journalctl -u ehm-monitor | grep -q "'dds.domain' is 999" || fail "the journal does not name the wrong key"
+journal_has "'dds.domain' is 999" || fail "the journal does not name the wrong key"
 passed "a wrong configuration ends with 2, is not started again, and the journal names the key"
 
 systemctl enable ehm-monitor >/dev/null 2>&1
