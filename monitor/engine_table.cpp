@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+
 #include "deploy/files/file_error.h"
 #include "monitor/design/design_file.h"
 

@@ -1,5 +1,7 @@
 #include "deploy/config/schema.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cctype>
@@ -7,8 +9,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
-
-#include <unistd.h>
 
 #include "deploy/config/table_reader.h"
 

@@ -35,9 +35,9 @@ class IncidentBox {
 /// Fills the hooks of `options` when they ask for security; call it before the Participant is made.
 std::shared_ptr<IncidentBox> hear_incidents(wire::ParticipantOptions& options);
 
-/// "security: " and the text, and how often it came if more than once.
 /// What a service says of itself at its start: "secured by DIRECTORY", or that it is not.
 std::string security_text(const std::string& directory);
+/// "security: " and the text, and how often it came if more than once.
 std::string incident_text(const std::string& text, std::uint64_t times);
 
 class SecurityWatch {

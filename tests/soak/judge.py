@@ -4,7 +4,7 @@ SENSOR_FAULT, HEALTH_SHIFT, INPUT_LOST, AMBIGUOUS = 1, 2, 5, 11
 HICCUP_S = 0.25  # a shared machine pauses simulator or monitor for so long by itself; more than that is an event
 OUTCOMES = ("processed", "withheld", "duplicated", "reordered", "foreign", "malformed")
 DOWN = ("kill ",)
-FEW = 5
+FEW = 5  # readings at either end of a life
 
 
 def percentile(values, share):
