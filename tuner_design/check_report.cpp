@@ -71,7 +71,7 @@ CheckedFile check_file(const std::string& path, const ImportOptions& options) {
     file.model = design.model;
     file.hash = design.hash;
     file.slow_bias_detectability =
-        design::slow_bias_detectability(design.model, design.scaling, design.full.slowest_time_constant_s);
+        design::slow_bias_detectability(design.model, design.scaling, design.full);
   }
   const LinearModel discrete = estimation::scaled(discretise(file.model), estimation::scaling_of(file.model));
   const estimation::SteadyGain steady = estimation::steady_gain(discrete);

@@ -164,7 +164,7 @@ Design full_design(const LinearModel& model, const PreparedPoint& point, const D
   design.scaling = point.scaling;
   design.certificate = certificate_of(tuners, filter, point);
   design.certificate.slow_bias_detectability =
-      design::slow_bias_detectability(model, point.scaling, filter.slowest_time_constant_s);
+      design::slow_bias_detectability(model, point.scaling, filter);
   design.full = std::move(filter);
   add_errors_and_limits(design, point);
   return design;

@@ -20,7 +20,14 @@ struct ClosedLoop {
   double radius = 0.0;
 };
 
-ClosedLoop closed_loop(const design::SubsetDesign& design, const Eigen::MatrixXd& H, const Eigen::VectorXd& sigma) {
+/// (I - K C) blkdiag(Q, 0) (I - K C)^T, symmetric.
+Eigen::MatrixXd process_noise_of(const Eigen::MatrixXd& I_KC, const Eigen::MatrixXd& Q) {
+  const Eigen::MatrixXd entry = I_KC.leftCols(Q.rows());
+  return entry * Q * entry.transpose();
+}
+
+ClosedLoop closed_loop(const design::SubsetDesign& design, const LinearModel& model, const Eigen::MatrixXd& H) {
+  const Eigen::VectorXd& sigma = model.sensor_noise_sigma;
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(design.A.rows(), design.A.cols());
   const Eigen::MatrixXd I_KC = identity - design.K * design.C;
   const Eigen::MatrixXd Acl = I_KC * design.A;
@@ -34,7 +41,7 @@ ClosedLoop closed_loop(const design::SubsetDesign& design, const Eigen::MatrixXd
     throw std::runtime_error("mean of the filter, (I - Acl) X = Kinf H: residual " + std::to_string(residual));
   }
   loop.offset = (identity - Acl).partialPivLu().solve(design.K);
-  loop.noise = solve_discrete_lyapunov(Acl, KRK);
+  loop.noise = solve_discrete_lyapunov(Acl, KRK + process_noise_of(I_KC, model.process_noise));
   loop.updated = I_KC * design.P * I_KC.transpose() + KRK;
   return loop;
 }
@@ -75,7 +82,7 @@ void add_error_theory(design::SubsetDesign& design, const estimation::LinearMode
                       const estimation::SteadyGain& steady) {
   const Eigen::Index n = model.A.rows(), p = model.L.cols(), r = model.F.rows(), t = design.V.rows();
   const Eigen::MatrixXd Ph = model.health_sigma.cwiseAbs2().asDiagonal();
-  const ClosedLoop loop = closed_loop(design, steady.H, model.sensor_noise_sigma);
+  const ClosedLoop loop = closed_loop(design, model, steady.H);
 
   Eigen::MatrixXd Th = Eigen::MatrixXd::Zero(p, n + t);  // Th = [0, W]
   Th.rightCols(t) = design.W;

@@ -2,7 +2,9 @@
 // Theoretical error of the steady-state filter on the tuners, over the fleet (THEORY section 4; [SG] leaves it as
 // future work). Acl = Axq - Kinf Cxq Axq, Th = [0, W], Tz = [F, N W]:
 //   mean      E[xhat] = (I - Acl)^-1 Kinf H h
-//   variance  S = Acl S Acl^T + Kinf R Kinf^T           the true engine has constant h and no process noise
+//   variance  S = Acl S Acl^T + Kinf R Kinf^T + (I - Kinf Cxq) Qw (I - Kinf Cxq)^T,   Qw = blkdiag(Q, 0)
+//             of the error xhat - [x; q] about its mean: the engine's states are driven by w of the model's
+//             covariance Q, its health is constant within a run (Qh is a knob of speed, not a belief)
 //   bias      G = T (I - Acl)^-1 Kinf H - (I or Hz)
 //   offset    O = T (I - Acl)^-1 Kinf                    answer to a constant sensor offset
 //   linearisation  [O, -e] Lambda [O, -e]^T              Lambda = linearisation_error of [y; z], e = 0 for h, I for z

@@ -14,6 +14,7 @@
 namespace ehm::design {
 namespace {
 
+constexpr const char* any_design_schema = "ehm-design/";
 constexpr const char* make_again = "Make the design again with tuner_design design";
 
 Json errors_to_json(const ErrorByChannel& errors, const std::string& file, const std::string& key) {
@@ -78,8 +79,13 @@ std::string take_verified_hash(Json& root, const std::string& file) {
   JsonObject object(root, file, "");
   const std::string schema = object.text("schema");
   if (schema != design_schema) {
-    throw_defect(file, "schema", "\"" + schema + "\"", std::string("\"") + design_schema + "\"",
-                 "The file is of another kind or version: make the design with this version's tuner_design design");
+    throw_defect(
+        file, "schema", "\"" + schema + "\"", std::string("\"") + design_schema + "\"",
+        schema.starts_with(any_design_schema)
+            ? "Designs of another version have other standard deviations (before version 3 without the engine's "
+              "process noise): make it again from its model, which also stands under its key \"model\", with "
+              "tuner_design design"
+            : "The file is of another kind: make the design with tuner_design design");
   }
   const std::string stated = object.text("hash");
   root.erase("hash");

@@ -1,5 +1,5 @@
 #pragma once
-// Design file, JSON, schema "ehm-design/2": everything in a Design, numbers in shortest exact form (they round-trip bit
+// Design file, JSON, schema "ehm-design/3": everything in a Design, numbers in shortest exact form (they round-trip bit
 // by bit), and the SHA-256 of the content without the hash itself. Whitespace and key order do not matter to the hash.
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace ehm::design {
 
-inline constexpr const char* design_schema = "ehm-design/2";
+inline constexpr const char* design_schema = "ehm-design/3";
 
 /// @throws FileError (one message: file, key, value, allowed, what to do) if the file is absent, not JSON, truncated,
-/// of
-///         another schema, changed by hand (hash), or if a matrix has the wrong shape or a gain is unstable.
+/// of another
+///         schema, changed by hand (hash), or if a matrix has the wrong shape or a gain is unstable.
 Design read_design(const std::string& path);
 
 /// Writes to a temporary file beside `path` and renames it, so that a reader sees the old file or the new one.

@@ -1,6 +1,7 @@
 #include "monitor/design/detectability.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "monitor/estimation/steady_gain.h"
@@ -8,13 +9,17 @@
 namespace ehm::design {
 
 Eigen::VectorXd slow_bias_detectability(const estimation::LinearModel& model, const estimation::Scaling& scaling,
-                                        double slowest_time_constant_s) {
+                                        const SubsetDesign& full) {
   const estimation::LinearModel engine = estimation::scaled(model, scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(engine).H;
   const Eigen::MatrixXd Ph = engine.health_sigma.cwiseAbs2().asDiagonal();
-  const double samples = std::max(1.0, slowest_time_constant_s / model.sample_time_s);
+  const double samples = std::max(1.0, full.slowest_time_constant_s / model.sample_time_s);
   const Eigen::MatrixXd R = engine.sensor_noise_sigma.cwiseAbs2().asDiagonal();
-  const Eigen::MatrixXd spread = H * Ph * H.transpose() + R / samples;
+  const Eigen::Index n = engine.C.cols();
+  // J^T = (I - A)^-T C^T, with the discrete A of the filter
+  const Eigen::MatrixXd slow = Eigen::MatrixXd::Identity(n, n) - full.A.topLeftCorner(n, n);
+  const Eigen::MatrixXd J = slow.transpose().partialPivLu().solve(engine.C.transpose()).transpose();
+  const Eigen::MatrixXd spread = H * Ph * H.transpose() + (R + J * engine.process_noise * J.transpose()) / samples;
   const Eigen::MatrixXd inverse = spread.llt().solve(Eigen::MatrixXd::Identity(spread.rows(), spread.rows()));
   return detectability_bias_sigmas * engine.sensor_noise_sigma.cwiseProduct(inverse.diagonal().cwiseSqrt());
 }

@@ -1,20 +1,13 @@
 #include "monitor/design/make_error_model.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "monitor/estimation/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::design {
 
 namespace {
-
-/// Symmetric root of a second moment that may be singular.
-Eigen::MatrixXd root(const Eigen::MatrixXd& moment) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(moment);
-  const Eigen::VectorXd eigenvalues = solver.eigenvalues().cwiseMax(0.0);  // check_model refused more than round-off
-  return solver.eigenvectors() * eigenvalues.cwiseSqrt().asDiagonal();
-}
 
 /// Gh = [Ph^1/2, 0], [Gy; Gz] = [[H; Hz] Ph^1/2, Lambda^1/2], and K Gy.
 void add_unknowns(estimation::ErrorModel& error, const estimation::LinearModel& model,
@@ -29,11 +22,24 @@ void add_unknowns(estimation::ErrorModel& error, const estimation::LinearModel& 
   error.sensor_truth.leftCols(p) = steady.H * health;
   error.auxiliary_truth.leftCols(p) = steady.Hz * health;
   if (extra > 0) {
-    const Eigen::MatrixXd nonlinear = root(model.linearisation_error);
+    const Eigen::MatrixXd nonlinear = estimation::covariance_root(model.linearisation_error);
     error.sensor_truth.rightCols(extra) = nonlinear.topRows(m);
     error.auxiliary_truth.rightCols(extra) = nonlinear.bottomRows(r);
   }
   error.drive = K * error.sensor_truth;
+}
+
+/// What the sensors' noise and the engine's own motion add at each sample, and what the latter has brought before.
+void add_noise(estimation::ErrorModel& error, const estimation::LinearModel& model, const SubsetDesign& subset) {
+  const Eigen::Index n = model.C.cols(), size = subset.A.rows();
+  const Eigen::MatrixXd& Q = model.process_noise;
+  const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
+  const Eigen::MatrixXd entry =
+      (Eigen::MatrixXd::Identity(size, size) - subset.K * subset.C).leftCols(n);  // (I - K C) [I; 0]
+  error.noise = subset.K * R * subset.K.transpose() + entry * Q * entry.transpose();
+  error.start.setZero(size, size);
+  error.start.topLeftCorner(n, n) = estimation::stationary_covariance(subset.A.topLeftCorner(n, n), Q);
+  error.innovation_noise = (model.C * Q * model.C.transpose()).diagonal() + R.diagonal();
 }
 
 }  // namespace
@@ -45,15 +51,13 @@ estimation::ErrorModel make_error_model(const Design& design, const SubsetDesign
 
   estimation::ErrorModel error;
   error.closed_loop = subset.A - subset.K * subset.C * subset.A;
-  const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
-  error.noise = subset.K * R * subset.K.transpose();
+  add_noise(error, model, subset);
   error.health_output.setZero(p, n + t);
   error.health_output.rightCols(t) = subset.W;
   error.auxiliary_output.setZero(r, n + t);
   error.auxiliary_output.leftCols(n) = model.F;
   error.auxiliary_output.rightCols(t) = model.N * subset.W;
   error.prediction = subset.C * subset.A;
-  error.sensor_noise_variance = model.sensor_noise_sigma.cwiseAbs2();
   add_unknowns(error, model, steady, subset.K);
   error.health_scale = design.scaling.health;
   error.auxiliary_scale = design.scaling.auxiliary;

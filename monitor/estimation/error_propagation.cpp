@@ -11,7 +11,7 @@ ErrorPropagation::ErrorPropagation(const ErrorModel& model) : model_(&model) {
 void ErrorPropagation::reset(const ErrorModel& model) noexcept {
   model_ = &model;
   mean_.setZero(model.drive.rows(), model.drive.cols());
-  covariance_.setZero(model.noise.rows(), model.noise.cols());
+  covariance_ = model.start;
   remaining_ = model.settling_samples;
   read_out();
 }
@@ -73,7 +73,7 @@ void ErrorPropagation::read_out() noexcept {
   innovation_variance_.resize(m.sensor_scale.size());
   for (Eigen::Index i = 0; i < innovation_variance_.size(); ++i)
     innovation_variance_(i) = m.sensor_scale(i) * m.sensor_scale(i) *
-                              (variance(sensor_bias_, sensor_spread_, m.prediction, i) + m.sensor_noise_variance(i));
+                              (variance(sensor_bias_, sensor_spread_, m.prediction, i) + m.innovation_noise(i));
 }
 
 }  // namespace ehm::estimation

@@ -4,13 +4,16 @@
 // What is unknown of an engine but constant: its health h ~ (0, Ph), and what its nonlinearity adds to sensors and
 // outputs, [ry; rz] ~ (0, Lambda). Written with k unit-variance unknowns e: h = Gh e, steady sensors H h + ry = Gy e,
 // outputs Hz h + rz = Gz e. After a number of samples the filter's estimate has
-//   E[xhat | e] = M e,   M <- Acl M + K Gy,              M (n+t) x k
-//   cov(xhat)   = S,     S <- Acl S Acl^T + K R K^T,     S (n+t) x (n+t)
-// with Acl = (I - K C) A, and the published standard deviations are the roots of the diagonals of
+//   E[xhat | e] = M e,                                   M <- Acl M + K Gy,            M (n+t) x k
+//   cov(xhat - [dx; 0]) = S,   S <- Acl S Acl^T + K R K^T + (I - K C) Qw (I - K C)^T,   S (n+t) x (n+t)
+// with Acl = (I - K C) A, dx the engine's own motion about its balance, dx[k+1] = A dx[k] + w, cov(w) = Q, and
+// Qw = blkdiag(Q, 0). The published standard deviations are the roots of the diagonals of
 //   (Th M - Gh)(..)^T + Th S Th^T    and    (Tz M - Gz)(..)^T + Tz S Tz^T.
-// M_0 = 0 and S_0 = 0 for a cold start: the first sigma is the prior's. The limit k -> infinity is THEORY.md section 4.
+// M_0 = 0 and S_0 = blkdiag(cov(dx), 0) for a cold start, with the stationary cov(dx) = A cov(dx) A^T + Q: the engine
+// has run before the monitor looks at it, and the first sigma is the prior's. The limit k -> infinity is THEORY.md
+// section 4.
 // The innovation of the next sample then has the variance
-//   diag[(C A M - Gy)(..)^T + C A S (C A)^T + R],
+//   diag[(C A M - Gy)(..)^T + C A S (C A)^T + C Qw C^T + R],
 // far above the settled one at a cold start: the innovation gate asks for it, so as not to reject a worn engine.
 // When another sensor set takes over, M and S are re-referenced as the state is, and go on from there.
 // Everything is in the scaled units of the design; sigmas leave in channel units.
@@ -28,14 +31,15 @@ inline constexpr int max_unknowns = max_health + max_sensors + max_auxiliary;
 struct ErrorModel {
   BoundedMatrix<max_augmented, max_augmented> closed_loop;       ///< Acl
   BoundedMatrix<max_augmented, max_unknowns> drive;              ///< K Gy
-  BoundedMatrix<max_augmented, max_augmented> noise;             ///< K R K^T
+  BoundedMatrix<max_augmented, max_augmented> noise;             ///< K R K^T + (I - K C) Qw (I - K C)^T
+  BoundedMatrix<max_augmented, max_augmented> start;             ///< S_0
   BoundedMatrix<max_health, max_augmented> health_output;        ///< Th
   BoundedMatrix<max_auxiliary, max_augmented> auxiliary_output;  ///< Tz
   BoundedMatrix<max_sensors, max_augmented> prediction;          ///< C A, every sensor
   BoundedMatrix<max_health, max_unknowns> health_truth;          ///< Gh
   BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_truth;    ///< Gz
   BoundedMatrix<max_sensors, max_unknowns> sensor_truth;         ///< Gy, every sensor
-  SensorVector sensor_noise_variance;                            ///< diagonal of R
+  SensorVector innovation_noise;                                 ///< diagonal of C Qw C^T + R
   HealthVector health_scale;                                     ///< channel units per scaled unit
   AuxiliaryVector auxiliary_scale;
   SensorVector sensor_scale;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "monitor/estimation/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::estimation {
@@ -40,6 +41,7 @@ FullOrderModel full_order_model(const LinearModel& model) {
   settled << steady_gain(model).X, Eigen::MatrixXd::Identity(p, p);
   settled = (settled * model.health_sigma.asDiagonal()).eval();
   full.prior = settled * settled.transpose();
+  full.prior.topLeftCorner(n, n) += stationary_covariance(model.A, model.process_noise);
   return full;
 }
 

@@ -24,12 +24,14 @@ struct FullOrderModel {
   BoundedMatrix<max_auxiliary, max_actuators> G;
   BoundedMatrix<max_states, max_states> process_noise;  ///< Q, per sample
   SensorVector sensor_noise_variance;                   ///< diagonal of R
-  FullOrderCovariance prior;  ///< of a settled engine of the fleet: [X; I] Ph [X; I]^T, X = (I-A)^-1 L
+  /// Of an engine of the fleet that has run before the filter looks at it: [X; I] Ph [X; I]^T + blkdiag(cov(dx), 0),
+  /// X = (I-A)^-1 L, and its motion about the balance, cov(dx) = A cov(dx) A^T + Q.
+  FullOrderCovariance prior;
 };
 
 /// `model` has passed design::check_model.
 /// @throws std::invalid_argument if it is continuous or exceeds the capacity (says which list).
-/// @throws std::runtime_error if I - A is singular.
+/// @throws std::runtime_error if I - A is singular or A not stable.
 FullOrderModel full_order_model(const LinearModel& model);
 
 }  // namespace ehm::estimation

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monitor/estimation/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::monitor {
@@ -22,24 +23,22 @@ constexpr double step_sigmas = 2.0;
 struct Plant {
   Eigen::MatrixXd A, L, C, M;
   Eigen::VectorXd noise_sigma, health_sigma;
+  Eigen::MatrixXd process_noise;
 };
 
 Plant plant_of(const design::Design& design) {
   const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
   const Eigen::Index n = model.A.rows();
-  Plant plant{design.full.A.topLeftCorner(n, n), {}, model.C, model.M, model.sensor_noise_sigma, model.health_sigma};
+  Plant plant{design.full.A.topLeftCorner(n, n),
+              {},
+              model.C,
+              model.M,
+              model.sensor_noise_sigma,
+              model.health_sigma,
+              model.process_noise};
   // The steady state is the same in either time form: L = (I - A) X.
   plant.L = (Eigen::MatrixXd::Identity(n, n) - plant.A) * estimation::steady_gain(model).X;
   return plant;
-}
-
-/// X = F X F^T + Q by doubling: X = sum over k of F^k Q F^kT.
-Eigen::MatrixXd stationary_covariance(Eigen::MatrixXd F, Eigen::MatrixXd X) {
-  for (int i = 0; i < 64 && F.cwiseAbs().maxCoeff() > 1e-20; ++i) {
-    X += (F * X * F.transpose()).eval();
-    F = (F * F).eval();
-  }
-  return X;
 }
 
 /// Inverse of S without the directions B of a constant mean: S^-1 - S^-1 B (B^T S^-1 B)^-1 B^T S^-1.
@@ -56,11 +55,15 @@ Eigen::MatrixXd blind_inverse(const Eigen::MatrixXd& S, const Eigen::MatrixXd& s
 void add_noise(FaultSignatures& s, const design::SubsetDesign& set, const Plant& plant,
                const Eigen::MatrixXd& closed_loop) {
   const Eigen::MatrixXd R = plant.noise_sigma.cwiseAbs2().asDiagonal();
-  const Eigen::MatrixXd state = stationary_covariance(closed_loop, set.K * R * set.K.transpose());
-  const Eigen::MatrixXd prediction = set.C * set.A;
-  const Eigen::MatrixXd S = prediction * state * prediction.transpose() + R;
-  s.inverse_S.setZero(s.sensors, s.sensors);
+  const Eigen::MatrixXd& Q = plant.process_noise;
   const Eigen::Index size = set.A.rows();
+  const Eigen::MatrixXd entry =
+      (Eigen::MatrixXd::Identity(size, size) - set.K * set.C).leftCols(Q.rows());  // (I - K Cxq) [I; 0]
+  const Eigen::MatrixXd state =
+      estimation::stationary_covariance(closed_loop, set.K * R * set.K.transpose() + entry * Q * entry.transpose());
+  const Eigen::MatrixXd prediction = set.C * set.A;
+  const Eigen::MatrixXd S = prediction * state * prediction.transpose() + plant.C * Q * plant.C.transpose() + R;
+  s.inverse_S.setZero(s.sensors, s.sensors);
   const Eigen::MatrixXd settled = (Eigen::MatrixXd::Identity(size, size) - closed_loop).partialPivLu().solve(set.K);
   const Eigen::MatrixXd residual = Eigen::MatrixXd::Identity(s.sensors, s.sensors) - prediction * settled;
   s.inverse_S(set.sensors, set.sensors) =

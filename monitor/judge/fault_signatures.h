@@ -11,9 +11,10 @@
 // g_j[a] (m) is the signature in the innovations, xi_j[a] (n+t) what the fault has put into the filter's state. While
 // nothing happens the innovations of an engine with constant health have the covariance
 //
-//   S = Cxq Axq Sx Axq^T Cxq^T + R,   Sx = Acl Sx Acl^T + K R K^T
+//   S = Cxq Axq Sx Axq^T Cxq^T + C Q C^T + R,   Sx = Acl Sx Acl^T + K R K^T + (I - K Cxq) Qw (I - K Cxq)^T
 //
-// below the filter's own, which believes in moving health. They are slightly coloured: negatively, since the filter
+// (Q the engine's process noise, Qw = blkdiag(Q, 0): error_propagation.h) below the filter's own, which believes in
+// moving health. They are slightly coloured: negatively, since the filter
 // takes up some noise and gives it back (lag one: -0.01 to -0.09 at Qh 1e-3). Sums over them scatter less than white
 // ones do, so that thresholds for white noise hold. A set with fewer tuners than sensors cannot follow every steady
 // value: its innovations have a constant mean in the directions B = range(I - Cxq Axq (I - Acl)^-1 K), which is no

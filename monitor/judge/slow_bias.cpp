@@ -40,7 +40,7 @@ SlowBias::SlowBias(const FaultOptions& options, const design::Design& design)
   bias_per_z_ = design.scaling.sensor.cwiseQuotient(root);
   ordinary_ = chi_square_quantile(static_cast<double>(m), normal_quantile_above(ordinary_tail));
   const Eigen::VectorXd detectability =
-      design::slow_bias_detectability(design.model, design.scaling, design.full.slowest_time_constant_s);
+      design::slow_bias_detectability(design.model, design.scaling, design.full);
   for (Eigen::Index i = 0; i < m; ++i)
     watched_[static_cast<std::size_t>(i)] = detectability(i) > design::least_detectability;
 }

@@ -111,11 +111,9 @@ void add_time_varying(std::vector<Baseline>& table, const Setting& setting, doub
             << " s; allowed: 1 to 1000000 samples";
     throw std::invalid_argument(message.str());
   }
-  LinearModel truth = setting.model;
-  truth.process_noise.setZero();
   std::ostringstream text;
   text << "full-order time-varying Kalman filter after " << samples << " samples, " << run_s << " s";
-  table.push_back({"time_varying", text.str(), limit_after(truth, static_cast<int>(samples)), std::nullopt});
+  table.push_back({"time_varying", text.str(), limit_after(setting.model, static_cast<int>(samples)), std::nullopt});
 }
 
 }  // namespace

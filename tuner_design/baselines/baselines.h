@@ -16,8 +16,9 @@
 //
 // t is the design's number of tuners; where nothing is reduced (t = p) the subsets and the SVD would all be the design,
 // and are left out, as is a subset that the sensors cannot tell apart. Error: squared, over the fleet, on the linear
-// truth: constant h, settled engine, no process noise, and no linearisation error, which `design` adds to the published
-// sigma of its own filter. Steady filters are settled.
+// truth: constant h, an engine that the model's process noise moves (but full_map's and bayes_limit's: those are in
+// balance), and no linearisation error, which `design` adds to the published sigma of its own filter. Steady filters
+// are settled.
 
 #include <functional>
 #include <optional>

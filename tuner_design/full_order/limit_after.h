@@ -10,8 +10,8 @@
 
 namespace ehm::bench {
 
-/// `model` is discrete and scaled; the truth has its process noise (zero for the linear truth of THEORY section 4) and
-/// no linearisation error. The squared errors are those after N samples, averaged over the last `window` of them: the
+/// `model` is discrete and scaled; the truth has its process noise, in motion before the first sample, and no
+/// linearisation error. The squared errors are those after N samples, averaged over the last `window` of them: the
 /// quantity of a Monte Carlo that averages over the end of a run. Needs 1 <= window <= samples.
 /// @throws std::invalid_argument if the numbers of samples are wrong or the model exceeds the filter's capacity.
 design::ErrorByChannel limit_after(const estimation::LinearModel& model, int samples, int window = 1);

@@ -84,8 +84,10 @@ void add_evaluate_command(CLI::App& app, Action& run) {
   command->add_option("--threads", options.threads, "The result does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->add_flag("--process-noise", options.process_noise,
-                    "The linear truth has the model's process noise; its theory then has it too");
+  command->add_flag(
+      "--process-noise,!--no-process-noise", options.process_noise,
+      "The engine that the Kalman filter flies on moves by the model's process noise (the default), or is "
+      "in balance; the theory beside it is that of the same engine");
   command->add_option("--csv", arguments->csv, "Also write the numbers to this file")->type_name("FILE");
   add_output_options(*command, arguments->output);
   command->callback(

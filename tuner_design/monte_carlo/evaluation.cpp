@@ -17,8 +17,6 @@ void require_valid(const EvaluateOptions& options) {
   if (!options.kalman && !options.map) refuse("no estimator is chosen; allowed: Kalman filter, MAP or both");
   if (options.runs < 2) refuse("runs is " + std::to_string(options.runs) + "; allowed: 2 or more");
   if (options.engines < 2) refuse("engines is " + std::to_string(options.engines) + "; allowed: 2 or more");
-  if (options.process_noise && options.nonlinear)
-    refuse("process noise: the nonlinear truth flies in balance without it; allowed: linear truth");
 }
 
 }  // namespace

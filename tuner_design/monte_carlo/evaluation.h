@@ -32,7 +32,7 @@ struct EvaluateOptions {
   std::uint64_t seed = 1;
   unsigned threads = work::all_cores();
   Hold hold = Hold::fan_speed;
-  bool process_noise = false;  ///< the linear truth has the model's w; without it health and engine are constant
+  bool process_noise = true;   ///< the Kalman filter's engine moves by the model's w; without it it is in balance
 };
 
 /// Sums of the squared errors over channels (SSEE).
@@ -66,8 +66,8 @@ struct Evaluation {
 /// Called often, by the calling thread, with the share of the work that is done, 0 to 1.
 using EvaluateProgress = std::function<void(double)>;
 
-/// @throws std::invalid_argument if an option is out of its range, or does not fit the design (process noise or a
-///         foreign engine on the nonlinear truth); the message names it and what is allowed.
+/// @throws std::invalid_argument if an option is out of its range, or does not fit the design (a foreign
+///         engine on the nonlinear truth); the message names it and what is allowed.
 /// @throws std::runtime_error if more than one engine in a hundred has no steady point.
 Evaluation evaluate(
     const design::Design& design, const EvaluateOptions& options, const EvaluateProgress& progress = [](double) {});

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "monitor/estimation/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/discretise.h"
 #include "tuner_design/lyapunov.h"
@@ -15,10 +16,9 @@ using design::ErrorByChannel;
 
 constexpr double most_samples = 1e6;  ///< of a run: the published intervals of the window are kept
 
-/// What reads an error out of [dx; xhat] for the health parameters or the auxiliary outputs.
+/// What reads an error out of the estimate for the health parameters or the auxiliary outputs.
 struct Output {
   Eigen::MatrixXd of_estimate;     ///< T
-  Eigen::MatrixXd of_both;         ///< [-F, T]
   Eigen::MatrixXd truth;           ///< I or Hz
   Eigen::MatrixXd of_truth_error;  ///< e, rows x r
 };
@@ -27,7 +27,7 @@ struct Output {
 struct Loop {
   estimation::LinearModel model;
   estimation::SteadyGain steady;
-  Eigen::MatrixXd K, closed_loop, joint, first_noise, noise;
+  Eigen::MatrixXd K, closed_loop, start, noise;  ///< S before the first sample; what each sample adds to S
   Output health, auxiliary;
 };
 
@@ -44,32 +44,20 @@ Loop loop_of(const design::Design& design, bool process_noise) {
   const Eigen::Index n = model.A.rows(), p = model.L.cols(), r = model.F.rows(), t = filter.V.rows(), a = n + t;
   loop.K = filter.K;
   loop.closed_loop = filter.A - filter.K * filter.C * filter.A;
-
-  const Eigen::MatrixXd Kc = filter.K * model.C;
-  loop.joint.setZero(n + a, n + a);
-  loop.joint.topLeftCorner(n, n) = model.A;
-  loop.joint.bottomLeftCorner(a, n) = Kc * model.A;
-  loop.joint.bottomRightCorner(a, a) = loop.closed_loop;
-  const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
-  loop.first_noise.setZero(n + a, n + a);
-  loop.first_noise.bottomRightCorner(a, a) = seen_through(filter.K, R);
-  loop.noise = loop.first_noise;
+  loop.noise = seen_through(filter.K, model.sensor_noise_sigma.cwiseAbs2().asDiagonal());
+  loop.start.setZero(a, a);
   if (process_noise) {
-    Eigen::MatrixXd entry(n + a, n);
-    entry << Eigen::MatrixXd::Identity(n, n), Kc;
-    loop.noise += seen_through(entry, model.process_noise);
+    const Eigen::MatrixXd I_KC = Eigen::MatrixXd::Identity(a, a) - filter.K * filter.C;
+    loop.noise += seen_through(I_KC.leftCols(n), model.process_noise);
+    loop.start.topLeftCorner(n, n) = estimation::stationary_covariance(model.A, model.process_noise);
   }
 
   loop.health.of_estimate.setZero(p, a);  // Th = [0, W]
   loop.health.of_estimate.rightCols(t) = filter.W;
-  loop.health.of_both.setZero(p, n + a);
-  loop.health.of_both.rightCols(a) = loop.health.of_estimate;
   loop.health.truth.setIdentity(p, p);
   loop.health.of_truth_error.setZero(p, r);
   loop.auxiliary.of_estimate.resize(r, a);  // Tz = [F, N W]
   loop.auxiliary.of_estimate << model.F, model.N * filter.W;
-  loop.auxiliary.of_both.resize(r, n + a);
-  loop.auxiliary.of_both << -model.F, loop.auxiliary.of_estimate;
   loop.auxiliary.truth = loop.steady.Hz;
   loop.auxiliary.of_truth_error.setIdentity(r, r);
   return loop;
@@ -83,7 +71,7 @@ Eigen::VectorXd variances(const Eigen::MatrixXd& T, const Eigen::MatrixXd& covar
 Eigen::VectorXd linear_error(const Output& output, const Loop& loop, const Eigen::MatrixXd& mean,
                              const Eigen::MatrixXd& spread) {
   const Eigen::MatrixXd bias = (output.of_estimate * mean - output.truth) * loop.model.health_sigma.asDiagonal();
-  return bias.rowwise().squaredNorm() + variances(output.of_both, spread);
+  return bias.rowwise().squaredNorm() + variances(output.of_estimate, spread);
 }
 
 Eigen::VectorXd linearisation_part(const Output& output, const Loop& loop, const Eigen::MatrixXd& offset) {
@@ -113,14 +101,13 @@ Window window_of(double seconds, double window_s, double sample_time_s) {
 WindowError finite_window_error(const design::Design& design, const Window& window, bool process_noise) {
   const Loop loop = loop_of(design, process_noise);
   const Eigen::MatrixXd KH = loop.K * loop.steady.H;
-  Eigen::MatrixXd mean = KH, offset = loop.K, spread = loop.first_noise;
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(KH.rows(), KH.cols());
+  Eigen::MatrixXd offset = Eigen::MatrixXd::Zero(loop.K.rows(), loop.K.cols()), spread = loop.start;
   WindowError error{zero_error(loop), zero_error(loop)};
   for (int k = 0; k < window.samples; ++k) {
-    if (k > 0) {
-      mean = loop.closed_loop * mean + KH;
-      offset = loop.closed_loop * offset + loop.K;
-      spread = seen_through(loop.joint, spread) + loop.noise;
-    }
+    mean = loop.closed_loop * mean + KH;
+    offset = loop.closed_loop * offset + loop.K;
+    spread = seen_through(loop.closed_loop, spread) + loop.noise;
     if (k < window.first()) continue;
     error.linear.health += linear_error(loop.health, loop, mean, spread);
     error.linear.auxiliary += linear_error(loop.auxiliary, loop, mean, spread);
@@ -135,14 +122,14 @@ WindowError finite_window_error(const design::Design& design, const Window& wind
 }
 
 ErrorByChannel settled_error(const design::Design& design, bool process_noise) {
-  if (!process_noise) return design.ssee;
-  const Loop loop = loop_of(design, true);
-  const Eigen::MatrixXd spread = solve_discrete_lyapunov(loop.joint, loop.noise);
-  const auto with_noise = [&](const Eigen::VectorXd& without, const Eigen::MatrixXd& noise, const Output& output) {
-    return Eigen::VectorXd(without - noise.diagonal() + variances(output.of_both, spread));
+  if (process_noise) return design.ssee;
+  const Loop loop = loop_of(design, false);
+  const Eigen::MatrixXd spread = solve_discrete_lyapunov(loop.closed_loop, loop.noise);
+  const auto without = [&](const Eigen::VectorXd& with, const Eigen::MatrixXd& noise, const Output& output) {
+    return Eigen::VectorXd(with - noise.diagonal() + variances(output.of_estimate, spread));
   };
-  return {with_noise(design.ssee.health, design.full.health_noise_covariance, loop.health),
-          with_noise(design.ssee.auxiliary, design.full.auxiliary_noise_covariance, loop.auxiliary)};
+  return {without(design.ssee.health, design.full.health_noise_covariance, loop.health),
+          without(design.ssee.auxiliary, design.full.auxiliary_noise_covariance, loop.auxiliary)};
 }
 
 }  // namespace ehm::bench

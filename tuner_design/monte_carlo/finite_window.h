@@ -2,15 +2,17 @@
 // Theory of what an experiment measures: the filter's squared error, averaged over the last part of a run that starts
 // cold (THEORY section 4; [SG] leaves the theoretical error as future work).
 //
-// The engine has constant health and is in balance at the first sample; with process noise its state then moves off by
-// dx. With Acl = Axq - K C Axq, xhat = 0 before the first sample, and c the sensors' matrix of the n states:
+// The engine has constant health and moves by dx about its balance, driven by w with the model's covariance Q, or stays
+// in it without process noise; it has done so before the first sample. With Acl = Axq - K C Axq, Qw = blkdiag(Q, 0), and
+// xhat = 0 before the first sample:
 //   mean      M <- Acl M + K H                                     E[xhat] = M h
 //   offset    O <- Acl O + K                                       answer to a constant sensor offset
-//   spread    S <- J S J^T + [I; K c] Q [I; K c]^T + [0; K] R [0; K]^T,   J = [A, 0; K c A, Acl]
-//             of [dx; xhat] about its mean; at the first sample S = [0; K] R [0; K]^T, and with Q = 0 dx stays 0
-//   error     (T M - G) Ph (T M - G)^T + [-F, T] S [-F, T]^T       T = Th, G = I, F = 0 for h; Tz, Hz and F for z
+//   spread    S <- Acl S Acl^T + K R K^T + (I - K Cxq) Qw (I - K Cxq)^T     of xhat - [dx; 0] about its mean;
+//             before the first sample blkdiag(cov(dx), 0) with the stationary cov(dx)
+//   error     (T M - G) Ph (T M - G)^T + T S T^T                   T = Th, G = I for h; Tz and Hz for z
 //   linearisation   [T O, -e] Lambda [T O, -e]^T                   e = 0 for h, I for z
-// averaged over the samples of the window. Scaled units; n states, t tuners, J (2n+t) x (2n+t).
+// averaged over the samples of the window. Scaled units. What is published at the same sample is the root of the sum:
+// M, S and O are those of monitor/estimation/error_propagation.h.
 
 #include "monitor/design/design.h"
 
@@ -31,7 +33,8 @@ struct WindowError {
   design::ErrorByChannel linearisation;  ///< what the model's linearisation_error adds to it
 };
 
-/// Of the design's filter with all sensors.
+/// Of the design's filter with all sensors; without `process_noise` the truth is in balance: Q = 0, in a filter that
+/// was made for Q.
 WindowError finite_window_error(const design::Design& design, const Window& window, bool process_noise);
 
 /// The linear engine's error after endless time. @throws std::runtime_error if the closed loop is not stable.

@@ -1,14 +1,11 @@
 #include "tuner_design/monte_carlo/kalman_experiment.h"
 
-#include <Eigen/Eigenvalues>
-#include <stdexcept>
-
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
 #include "monitor/estimation/error_propagation.h"
-#include "monitor/estimation/matrix_vector_product.h"
 #include "tuner_design/discretise.h"
 #include "tuner_design/monte_carlo/engine_average.h"
+#include "tuner_design/monte_carlo/engine_motion.h"
 #include "tuner_design/monte_carlo/random_stream.h"
 
 namespace ehm::bench {
@@ -64,39 +61,6 @@ class WindowSums {
   Vector squares_, within_, error_;
 };
 
-/// The state of the true engine about its balance, dx[k+1] = A dx[k] + w[k], and what it adds to sensors and outputs;
-/// channel units.
-class Wander {
- public:
-  Wander(const estimation::LinearModel& discrete, bool process_noise)
-      : moves_(process_noise), A_(discrete.A), C_(discrete.C), F_(discrete.F) {
-    // w = root n with n ~ N(0, I); the covariance may be singular
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(discrete.process_noise);
-    root_ = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-  }
-
-  bool moves() const { return moves_; }
-  void advance(StateVector& dx, RandomStream& random) const {
-    StateVector n(dx.size()), next = StateVector::Zero(dx.size());
-    for (double& each : n) each = random.normal();
-    estimation::add_product(A_, dx.data(), next.data());
-    estimation::add_product(root_, n.data(), next.data());
-    dx = next;
-  }
-  void add_to_sensors(SensorVector& dy, const StateVector& dx) const {
-    estimation::add_product(C_, dx.data(), dy.data());
-  }
-  void add_to_auxiliary(AuxiliaryVector& z, const StateVector& dx) const {
-    estimation::add_product(F_, dx.data(), z.data());
-  }
-
- private:
-  bool moves_;
-  estimation::BoundedMatrix<estimation::max_states, estimation::max_states> A_, root_;
-  estimation::BoundedMatrix<estimation::max_sensors, estimation::max_states> C_;
-  estimation::BoundedMatrix<estimation::max_auxiliary, estimation::max_states> F_;
-};
-
 class Flights {
  public:
   Flights(const design::Design& design, const Truth& truth, const KalmanOptions& options)
@@ -104,7 +68,7 @@ class Flights {
         truth_(truth),
         options_(options),
         filter_(design::make_filter(design)),
-        wander_(discretise(design.model), options.process_noise),
+        motion_(discretise(design.model), options.process_noise),
         intervals_(published_intervals(design, options.window)) {}
 
   Eigen::Index size() const { return 2 * (channels() + 1); }
@@ -123,15 +87,15 @@ class Flights {
     const AuxiliaryVector true_auxiliary = filter.model().auxiliary_trim + engine->auxiliary;
     WindowSums<HealthVector> health_sums(health.size());
     WindowSums<AuxiliaryVector> auxiliary_sums(true_auxiliary.size());
-    StateVector dx = StateVector::Zero(design_.model.A.rows());
+    StateVector dx = motion_.begin(random);
     for (int k = 0; k < options_.window.samples; ++k) {
-      if (wander_.moves() && k > 0) wander_.advance(dx, random);
+      if (k > 0) motion_.advance(dx, random);
       step(filter, *engine, dx, random);
       const int in_window = k - options_.window.first();
       if (in_window < 0) continue;
       health_sums.add(filter.health() - true_health, intervals_.health.col(in_window));
       AuxiliaryVector now = true_auxiliary;
-      if (wander_.moves()) wander_.add_to_auxiliary(now, dx);
+      motion_.add_to_auxiliary(now, dx);
       auxiliary_sums.add(filter.auxiliary() - now, intervals_.auxiliary.col(in_window));
     }
     const int samples = options_.window.averaged;
@@ -149,7 +113,7 @@ class Flights {
     const Eigen::VectorXd& sigma = design_.model.sensor_noise_sigma;
     SensorVector dy = engine.sensors;
     for (Eigen::Index i = 0; i < dy.size(); ++i) dy(i) += sigma(i) * random.normal();
-    if (wander_.moves()) wander_.add_to_sensors(dy, dx);
+    motion_.add_to_sensors(dy, dx);
     filter.predict(engine.controls);
     filter.innovation(dy, engine.controls);
     filter.update(all_);
@@ -159,7 +123,7 @@ class Flights {
   const Truth& truth_;
   const KalmanOptions& options_;
   const estimation::TunerFilter filter_;
-  const Wander wander_;
+  const EngineMotion motion_;
   const Intervals intervals_;
   const estimation::SensorMask all_ = ~estimation::SensorMask();
 };
@@ -168,9 +132,6 @@ class Flights {
 
 Experiment kalman_experiment(const design::Design& design, const Truth& truth, const KalmanOptions& options,
                              const std::function<void(std::size_t)>& done) {
-  if (truth.nonlinear && options.process_noise)
-    throw std::invalid_argument(
-        "process noise: the nonlinear truth flies in balance without it; allowed: linear truth");
   const Flights flights(design, truth, options);
   const EngineAverage average = average_over_engines(
       options.runs, flights.size(), options.threads,

@@ -1,9 +1,10 @@
 #pragma once
 // The monitor's own filter, flown cold on many engines with constant health, beside the theory of the same window.
 //
-//   engine i   h ~ N(0, Ph), in balance with constant u, which the filter knows; y[k] = y(h) + c dx[k] + v[k], dx[k+1]
-//   = A dx[k] + w[k], dx[0] = 0
-//              w = 0 unless process noise is asked for (linear truth only)
+//   engine i   h ~ N(0, Ph), constant u, which the filter knows; it moves by dx about its balance y(h), z(h):
+//              y[k] = y(h) + c dx[k] + v[k],   z[k] = z(h) + F dx[k],   dx[k+1] = A dx[k] + w[k],   cov(w) = Q
+//              dx is stationary from the first sample on, or 0 without process noise. The nonlinear engine's motion is
+//              that of the design's linear model too: it is small against the fleet's spread
 //   error      of h and z, squared, averaged over the window, then over the engines
 //   coverage   share of the window's samples with |error| <= 1.96 sigma_total, as the monitor publishes it at that
 //              sample (monitor/estimation/error_propagation.h)
@@ -21,11 +22,10 @@ struct KalmanOptions {
   Window window;
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  bool process_noise = false;
+  bool process_noise = true;
 };
 
 /// `done` is called with the number of runs that are done.
-/// @throws std::invalid_argument if process noise is asked for on a nonlinear truth.
 /// @throws std::runtime_error if more than one engine in a hundred has no steady point.
 Experiment kalman_experiment(const design::Design& design, const Truth& truth, const KalmanOptions& options,
                              const std::function<void(std::size_t)>& done);

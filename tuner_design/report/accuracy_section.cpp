@@ -101,7 +101,8 @@ Section accuracy_section(const ReportData& data) {
   section.add_text(
       "Errors are expected values over a fleet of engines whose health scatters as the model states. The Bayes limit "
       "is what remains when all noise is averaged out: the part of health that these sensors cannot show at this "
-      "operating point.");
+      "operating point. Noise is that of the sensors and that of the engine itself, whose states move by the model's "
+      "process noise.");
   add_comparison(section, data);
   add_health(section, data);
   add_auxiliary(section, data);

@@ -69,7 +69,7 @@ DataTable strength_table(const Directions& directions, double sample_time_s) {
 DataTable detectability_table(const ReportData& data) {
   DataTable table{{"sensor", "distance of a slow bias of 5 sigma"}, {}};
   const Eigen::VectorXd detectability =
-      design::slow_bias_detectability(data.design.model, data.design.scaling, data.design.full.slowest_time_constant_s);
+      design::slow_bias_detectability(data.design.model, data.design.scaling, data.design.full);
   for (Eigen::Index i = 0; i < detectability.size(); ++i)
     table.rows.push_back({data.design.model.sensors[static_cast<std::size_t>(i)].name, detectability(i)});
   return table;

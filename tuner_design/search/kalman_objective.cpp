@@ -21,6 +21,7 @@ using HealthByTuner = BoundedMatrix<max_health, estimation::max_tuners>;
 using OutputByState = BoundedMatrix<max_health + max_auxiliary, max_augmented>;
 /// Unknowns: health, sensors and outputs each at most once.
 inline constexpr int max_unknowns = max_health + max_sensors + max_auxiliary;
+using StateByEngine = BoundedMatrix<max_augmented, estimation::max_states>;
 using StateByUnknown = BoundedMatrix<max_augmented, max_unknowns>;
 using OutputByUnknown = BoundedMatrix<max_health + max_auxiliary, max_unknowns>;
 
@@ -32,6 +33,7 @@ struct Forward {
   Eigen::LLT<SensorMatrix> innovation;  ///< of S
   OutputByState T, weighted_T;          ///< T, Omega T
   StateByUnknown mean;                  ///< X
+  StateByEngine driven;                 ///< the first n columns of (I - K Cxq) Qw; the others are zero
   OutputByUnknown weighted_miss;        ///< Omega D
   Eigen::PartialPivLU<StateMatrix> one_minus_closed_loop;
 };
@@ -92,6 +94,9 @@ double error(const PointProblem& point, const doubling::Powers<StateMatrix>& pow
 
   const StateBySensor weighted_K = f.K * point.sensor_variance.asDiagonal();
   multiply(f.noise, weighted_K, f.K.transpose());
+  const Eigen::Index n = point.A.rows();
+  f.driven.noalias() = f.I_KC.leftCols(n).lazyProduct(point.process_noise);
+  f.noise.noalias() += f.driven.lazyProduct(f.I_KC.leftCols(n).transpose());
   powers.solve(f.noise);
 
   OutputByUnknown miss;
@@ -122,13 +127,14 @@ HealthByTuner backward(const PointProblem& point, const doubling::Powers<StateMa
   closed_loop_bar *= 2.0;
   closed_loop_bar.noalias() += U.lazyProduct(f.mean.transpose());
 
-  // Kb = U Gy^T + 2 Y K R - Aclb (C A)^T
+  // Kb = U Gy^T + 2 Y K R - B C^T,   B = Aclb A^T + 2 Y (I - K C) Qw
   StateBySensor K_bar, more;
   multiply(K_bar, Y, f.K);
   K_bar = (2.0 * K_bar * point.sensor_variance.asDiagonal()).eval();
   K_bar.noalias() += U.lazyProduct(point.Gy.transpose());
-  StateMatrix passed;  // Aclb A^T
+  StateMatrix passed;  // B
   multiply(passed, closed_loop_bar, f.A.transpose());
+  passed.leftCols(n) += 2.0 * Y.lazyProduct(f.driven);
   K_bar.noalias() -= passed.lazyProduct(f.C.transpose());
 
   // Kb S^-1, and what it leaves on P and C

@@ -4,11 +4,12 @@
 //   Axq = E^T [A L; 0 I] E    Cxq = [C M] E    T = [0 I; F N] E    Qxq = blkdiag(Q, qh I)
 //   P    Riccati,  K = P Cxq^T S^-1,  S = Cxq P Cxq^T + R,  Acl = (I - K Cxq) Axq
 //   X    = (I - Acl)^-1 K Gy                         mean of [x; q] per unknown of the fleet
-//   Z    = Acl Z Acl^T + K R K^T                     noise
+//   Z    = Acl Z Acl^T + K R K^T + (I - K Cxq) Qw (I - K Cxq)^T     noise, Qw = blkdiag(Q, 0): kalman_error.h
 //   J    = <D, Omega D> + <T^T Omega T, Z>,  D = T X - [Gh; Gz],  Omega = diag(wh I, wz)
 // Backwards (bars are derivatives of J): one linear solve and two more Lyapunov equations on the same powers of Acl,
 //   U    = (I - Acl)^-T 2 T^T Omega D,   Y = Acl^T Y Acl + T^T Omega T
-//   Aclb = U X^T + 2 Y Acl Z             Kb = U Gy^T + 2 Y K R - Aclb (Cxq Axq)^T
+//   Aclb = U X^T + 2 Y Acl Z,   B = Aclb Axq^T + 2 Y (I - K Cxq) Qw        B: of I - K Cxq
+//   Kb   = U Gy^T + 2 Y K R - B Cxq^T,   Cxqb = -K^T B + ...
 //   Pb   = sym[(I - K Cxq)^T Kb S^-1 Cxq],  Phi = A'^T Phi A' + Pb,  A' = Axq (I - K Cxq), which is
 //          Phi = (I-KC)^T Phi' (I-KC) + Pb,  Phi' = Acl^T Phi' Acl + Axq^T Pb Axq
 // and dJ/dV is what of (dJ/dW)^T leaves the row space: only the row space of V matters (THEORY section 2 and 6). For

@@ -1,10 +1,10 @@
 #include "tuner_design/search/point_problem.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "monitor/estimation/stationary_covariance.h"
 #include "tuner_design/bayes_limit.h"
 
 namespace ehm::bench {
@@ -25,12 +25,6 @@ void check_weights(const design::ErrorWeights& weights, Eigen::Index outputs) {
     throw std::invalid_argument("weights: all are zero, nothing is left to be good at");
 }
 
-/// Symmetric root of a covariance, for which a Cholesky factor need not exist.
-Eigen::MatrixXd root(const Eigen::MatrixXd& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-}
-
 /// Gh, Gy, Gz: the fleet's health, and the linearisation error where it is known.
 void add_unknowns(PointProblem& point, const estimation::LinearModel& model, const std::vector<int>& sensors) {
   const Eigen::Index p = model.L.cols(), m = model.C.rows(), r = model.F.rows();
@@ -44,7 +38,7 @@ void add_unknowns(PointProblem& point, const estimation::LinearModel& model, con
   point.Gy.leftCols(p) = point.H * sigma;
   point.Gz.leftCols(p) = point.Hz * sigma;
   if (more == 0) return;
-  const Eigen::MatrixXd error = root(model.linearisation_error);
+  const Eigen::MatrixXd error = estimation::covariance_root(model.linearisation_error);
   point.Gy.rightCols(more) = error(sensors, Eigen::all);
   point.Gz.rightCols(more) = error.bottomRows(r);
 }

@@ -37,12 +37,12 @@ estimation::LinearModel cruise() {
 }
 
 void run_study(Arguments arguments, const Console& console) {
-  if (arguments.study == "faults") {
-    arguments.faults.options.seed = arguments.options.seed;
-    arguments.faults.options.threads = arguments.options.threads;
-    fault_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
-    return;
-  }
+  arguments.faults.options.seed = arguments.options.seed;
+  arguments.faults.options.threads = arguments.options.threads;
+  if (arguments.study == "faults")
+    return fault_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
+  if (arguments.study == "false-alarms")
+    return false_alarm_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
   arguments.options.table = arguments.study.back() - '0';
   const ImportedModel imported =
       arguments.model.empty() ? ImportedModel{cruise(), "", {}} : import_model(arguments.model, arguments.import);
@@ -80,10 +80,10 @@ void add_study_command(CLI::App& app, Action& run) {
   options.threads = work::all_cores();
   CLI::App* command = app.add_subcommand("study",
                                          "Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, on our engine; "
-                                         "or how well the monitor finds and names faults");
-  command->add_option("study", arguments->study, "Which table, or faults")
+                                         "how well the monitor finds and names faults; or its false alarms");
+  command->add_option("study", arguments->study, "Which table, faults, or false-alarms")
       ->required()
-      ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults"}));
+      ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms"}));
   command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
       ->type_name("MODEL");
   add_qh_option(*command, options.qh_percent2);

@@ -51,7 +51,10 @@ TEST(Command, EvaluatePrintsTheSameNumbersAsTableJsonAndCsv) {
                                      "1.5",      "--window",       "0.6",    "--csv", csv};
   const Result table = run(arguments);
   ASSERT_EQ(table.code, 0) << table.err;
-  EXPECT_THAT(table.out, HasSubstr("Truth: the design's own linear model, without process noise"));
+  EXPECT_THAT(table.out, HasSubstr("Truth: the design's own linear model, with process noise w"));
+  arguments.push_back("--no-process-noise");
+  EXPECT_THAT(run(arguments).out, HasSubstr("Truth: the design's own linear model, without process noise"));
+  arguments.pop_back();
   arguments.push_back("--json");
   const auto json = nlohmann::json::parse(run(arguments).out);
   ASSERT_EQ(json.at("experiments").size(), 3U);

@@ -11,6 +11,7 @@
 #include "engine_sim/model/engines/jt9d.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design_tuner.h"
+#include "tuner_design/faults/false_alarm_report.h"
 #include "tuner_design/faults/fault_study_report.h"
 #include "tuner_design/linearise.h"
 
@@ -66,6 +67,38 @@ TEST(FaultStudy, IsTheSameOnAnyNumberOfThreadsAndReportsEveryCase) {
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), 1 + 12 - one.not_flown);
   const auto json = fault_study_as_json(one);
   EXPECT_EQ(json["confusion"].size(), 7u + 10u + 1u);
+}
+
+/// The made-up engine under process noise that adds as much to its sensors as their noise does.
+design::Design restless_design() {
+  estimation::LinearModel model = test::made_up_model(7, 10);
+  model.process_noise *= 900.0;
+  return design_tuner(model, {});
+}
+
+TEST(FalseAlarms, TheStatedRatesHoldUnderProcessNoise) {
+  // Two hours: some 480 000 samples of 12 engines. The seed is none that anything was fitted to.
+  const FalseAlarmStudy study = run_false_alarm_study(restless_design(), {2.0, true, 31, 2}, [](double) {});
+  EXPECT_EQ(study.flights, 12u);
+  EXPECT_DOUBLE_EQ(study.hours, 2.0);
+  EXPECT_EQ(study.withheld, 0u);
+  for (const FalseAlarmRow& row : study.rows) EXPECT_TRUE(row.holds()) << row.kind << ": " << row.events << " events";
+}
+
+TEST(FalseAlarms, AreTheSameOnAnyNumberOfThreads) {
+  const design::Design design = restless_design();
+  EXPECT_EQ(false_alarms_as_csv(run_false_alarm_study(design, {0.4, true, 5, 1}, [](double) {})),
+            false_alarms_as_csv(run_false_alarm_study(design, {0.4, true, 5, 3}, [](double) {})));
+}
+
+TEST(FalseAlarms, TheIntervalIsGarwoods) {
+  // Half the chi-square quantiles of 2 n and 2 n + 2 degrees of freedom: scipy.stats.chi2.
+  const std::pair<std::size_t, std::array<double, 2>> known[]{
+      {0, {0.0, 3.68888}}, {1, {0.02532, 5.57164}}, {10, {4.79539, 18.39036}}};
+  for (const auto& [count, limits] : known) {
+    EXPECT_NEAR(poisson_interval(count)[0], limits[0], 1e-4) << count;
+    EXPECT_NEAR(poisson_interval(count)[1], limits[1], 1e-4) << count;
+  }
 }
 
 TEST(FaultStudy, RefusesADesignOfAnotherEngine) {

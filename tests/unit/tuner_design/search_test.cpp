@@ -156,11 +156,12 @@ class ReferenceSearch : public ::testing::Test {
 TEST_F(ReferenceSearch, FiguresOfTheIssueAtTheReferenceQh) {
   const design::Design design = designed(1e-5);
   RecordProperty("ssee_health", std::to_string(design.ssee.health.sum()));
+  // No worse than the closed form, whose error numpy and scipy give: reference_numbers_test.cpp.
   EXPECT_LE(design.ssee.health.sum(), 12.02);
-  EXPECT_LE(design.ssee.auxiliary(0), 0.111);
-  EXPECT_LE(design.ssee.auxiliary(1), 31.15);
-  EXPECT_LE(design.ssee.auxiliary(2), 1.856);
-  EXPECT_LE(design.ssee.auxiliary(3), 1.187);
+  EXPECT_LE(design.ssee.auxiliary(0), 0.1797);
+  EXPECT_LE(design.ssee.auxiliary(1), 31.17);
+  EXPECT_LE(design.ssee.auxiliary(2), 1.858);
+  EXPECT_LE(design.ssee.auxiliary(3), 1.201);
   EXPECT_TRUE(design.certificate.at_optimum) << design.certificate.verdict;
   ASSERT_EQ(design.certificate.starts.size(), 10U);
   for (const design::SearchStart& start : design.certificate.starts) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "monitor/estimation/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/design_tuner.h"
 
@@ -14,7 +15,17 @@ std::shared_ptr<const design::Design> made_up_design() {
 }
 
 Flight::Flight(const estimation::LinearModel& model, const Eigen::VectorXd& h, std::uint64_t seed)
-    : model_(model), h_(h), x_(estimation::steady_gain(model).X * h), random_(seed) {}
+    : model_(model),
+      h_(h),
+      x_(estimation::steady_gain(model).X * h),
+      process_noise_sigma_(Eigen::VectorXd::Zero(x_.size())),
+      random_(seed) {}
+
+void Flight::start_moving() {
+  process_noise_sigma_ = model_.process_noise.diagonal().cwiseSqrt();
+  x_ += estimation::covariance_root(estimation::stationary_covariance(model_.A, model_.process_noise)) *
+        random_.normal_vector(x_.size());
+}
 
 monitor::Sample Flight::next() {
   const Eigen::VectorXd noise =
@@ -34,6 +45,7 @@ monitor::Sample Flight::next() {
   for (std::size_t i = 0; i < model_.controls.size(); ++i)
     s.actuator[i] = model_.controls[i].trim + (i == 0 ? du_ : 0.0);
   x_ = model_.A * x_ + model_.B.col(0) * du_ + model_.L * h_;
+  if (!process_noise_sigma_.isZero(0.0)) x_ += process_noise_sigma_.cwiseProduct(random_.normal_vector(x_.size()));
   ++sequence_;
   return s;
 }

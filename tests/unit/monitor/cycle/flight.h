@@ -23,6 +23,8 @@ class Flight {
   monitor::Sample next();
   /// Of the first actuator, deviation from trim; acts from the next sample on.
   void set_actuator(double du) { du_ = du; }
+  /// From now on the engine moves by the model's process noise (a diagonal Q), as if it always had.
+  void start_moving();
   void set_health(const Eigen::VectorXd& h) { h_ = h; }
   const Eigen::VectorXd& health() const { return h_; }
   Eigen::VectorXd auxiliary() const;
@@ -30,6 +32,7 @@ class Flight {
  private:
   estimation::LinearModel model_;
   Eigen::VectorXd h_, x_;
+  Eigen::VectorXd process_noise_sigma_;  ///< 0 while the engine does not move
   double du_ = 0.0;
   Random random_;
   std::uint64_t sequence_ = 0;

@@ -35,7 +35,7 @@ std::vector<Event> judged(const design::Design& design, const Eigen::VectorXd& h
 TEST(SlowBias, FollowsItsDetectability) {
   const auto design = test::made_up_design();
   const Eigen::VectorXd detectability =
-      design::slow_bias_detectability(design->model, design->scaling, design->full.slowest_time_constant_s);
+      design::slow_bias_detectability(design->model, design->scaling, design->full);
   const SlowBias judge(FaultOptions{}, *design);
   for (int i = 0; i < 7; ++i) {
     EXPECT_EQ(judge.watches(i), detectability(i) > 5.0) << i;

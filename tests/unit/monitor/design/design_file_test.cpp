@@ -120,12 +120,18 @@ TEST_F(DesignFile, ChangedByHandIsRefused) {
 
 TEST_F(DesignFile, OlderSchemaAndOtherFilesAreRefused) {
   Json json = Json::parse(text_of(path));
-  json["schema"] = "ehm-design/0";
+  json["schema"] = "ehm-design/2";
   rewrite_with_hash(json);
   EXPECT_EQ(message_of(path),
             path +
-                ": schema is \"ehm-design/0\"; allowed: \"ehm-design/2\". The file is of another kind or "
-                "version: make the design with this version's tuner_design design.");
+                ": schema is \"ehm-design/2\"; allowed: \"ehm-design/3\". Designs of another version have other "
+                "standard deviations (before version 3 without the engine's process noise): make it again from its "
+                "model, which also stands under its key \"model\", with tuner_design design.");
+  json["schema"] = "ehm-linear-model/1";
+  rewrite_with_hash(json);
+  EXPECT_EQ(message_of(path), path +
+                                  ": schema is \"ehm-linear-model/1\"; allowed: \"ehm-design/3\". The file is of "
+                                  "another kind: make the design with tuner_design design.");
   rewrite("{}");
   EXPECT_EQ(message_of(path), path + ": key schema is missing. Add it.");
 }

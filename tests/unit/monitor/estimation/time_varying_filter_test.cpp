@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "monitor/estimation/scaling.h"
+#include "monitor/estimation/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/monitor/estimation/allocation_counter.h"
 #include "tests/unit/tuner_design/test_models.h"
@@ -49,7 +50,7 @@ const SensorMask all_sensors = SensorMask{}.set();
 const ActuatorVector no_actuators = ActuatorVector::Zero(1);
 
 TEST(TimeVaryingFilter, OneSampleOfASettledEngineIsFullMap) {
-  const LinearModel model = scaled_engine(true);  // process noise comes after the first sample
+  const LinearModel model = scaled_engine(false);
   const Fleet fleet(model);
   test::Random random(1);
   const Eigen::VectorXd y = random.normal_vector(4);
@@ -62,6 +63,20 @@ TEST(TimeVaryingFilter, OneSampleOfASettledEngineIsFullMap) {
   EXPECT_TRUE(filter.covariance().bottomRightCorner(6, 6).isApprox(map_on_average(fleet, 1), 1e-12));
   EXPECT_TRUE(filter.auxiliary_variance().isApprox(
       (fleet.steady.Hz * map_on_average(fleet, 1) * fleet.steady.Hz.transpose()).diagonal(), 1e-12));
+}
+
+TEST(TimeVaryingFilter, OneSampleOfAMovingEngineIsFullMapWithItsMotionAsNoise) {
+  // The sensors then read H h + C dx + v with the stationary cov(dx): full MAP with R + C cov(dx) C^T.
+  const LinearModel model = scaled_engine(true);
+  const Fleet fleet(model);
+  const Eigen::MatrixXd motion = stationary_covariance(model.A, model.process_noise);
+  EXPECT_LT((model.A * motion * model.A.transpose() + model.process_noise - motion).norm(), 1e-12 * motion.norm());
+  const Eigen::MatrixXd R = fleet.R + model.C * motion * model.C.transpose();
+  const Eigen::MatrixXd E = bench::full_map_gain(fleet.steady.H, fleet.Ph, R);
+  TimeVaryingFilter filter(full_order_model(model));
+  filter.update(all_sensors);
+  EXPECT_TRUE(filter.covariance().bottomRightCorner(6, 6).isApprox(
+      bench::snapshot_error_covariance(E, fleet.steady.H, fleet.Ph, R), 1e-9));
 }
 
 TEST(TimeVaryingFilter, ManySamplesAreMapOnTheirAverageAndTendToTheBayesLimit) {
@@ -153,7 +168,8 @@ Flight fly(const LinearModel& model, const SteadyGain& steady, TimeVaryingFilter
   constexpr int samples = 40;
   const Eigen::VectorXd h = model.health_sigma.cwiseProduct(random.normal_vector(6));
   const Eigen::VectorXd w_sigma = model.process_noise.diagonal().cwiseSqrt();
-  Eigen::VectorXd x = steady.X * h, z;
+  const Eigen::MatrixXd motion = covariance_root(stationary_covariance(model.A, model.process_noise));
+  Eigen::VectorXd x = steady.X * h + motion * random.normal_vector(2), z;
   ActuatorVector u = ActuatorVector::Zero(1), previous = u;
   filter.reset();
   for (int k = 0; k < samples; ++k) {
