@@ -8,6 +8,7 @@
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/monte_carlo/evaluation_report.h"
 #include "tuner_design/monte_carlo/finite_window.h"
+#include "tuner_design/monte_carlo/kalman_experiment.h"
 #include "tuner_design/monte_carlo/map_experiment.h"
 
 namespace ehm::bench {
