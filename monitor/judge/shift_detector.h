@@ -6,8 +6,8 @@
 //                                                 S_q = V (Th S Th^T) V^T, both ends independent after w
 //   s_i    = [(I-Acl)^-1 Kinf H]_q e_i            how q answers to one percent of health parameter i in steady state
 //   a_i    = s_i^T (2 S_q)^-1 d / g_i             its most likely size, g_i = s_i^T (2 S_q)^-1 s_i
-//   i*     = argmax a_i^2 g_i                     the single parameter that explains most (generalised likelihood
-//   ratio)
+//   i*     = argmax a_i^2 g_i                     the single parameter that explains most
+//                                                 (generalised likelihood ratio)
 //
 // Raised when D has exceeded its threshold for the persistence time without a break, as an event on channel i* with
 // value a_i* and threshold the smallest a_i* that D would see. Cleared when D is below half the threshold. Slow wear

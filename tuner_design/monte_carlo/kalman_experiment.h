@@ -1,8 +1,8 @@
 #pragma once
 // The monitor's own filter, flown cold on many engines with constant health, beside the theory of the same window.
 //
-//   engine i   h ~ N(0, Ph), in balance with constant u, which the filter knows; y[k] = y(h) + c dx[k] + v[k], dx[k+1]
-//   = A dx[k] + w[k], dx[0] = 0
+//   engine i   h ~ N(0, Ph), in balance with constant u, which the filter knows;
+//              y[k] = y(h) + c dx[k] + v[k],  dx[k+1] = A dx[k] + w[k],  dx[0] = 0;
 //              w = 0 unless process noise is asked for (linear truth only)
 //   error      of h and z, squared, averaged over the window, then over the engines
 //   coverage   share of the window's samples with |error| <= 1.96 sigma_total, as the monitor publishes it at that
