@@ -62,7 +62,9 @@ enum class EventKind : std::uint32_t {
   input_liveliness = 16,  ///< the writer of EngineSensors lost its liveliness
   incompatible_qos = 17,  ///< an endpoint was excluded by QoS; the message names the policy
   recording = 18,         ///< the recorder stopped or lost samples
-  security = 19           ///< somebody without permission was kept out
+  security = 19,          ///< somebody without permission was kept out
+  unreadable_peer = 50    ///< a remote endpoint of our topics that can never be read, or never read us; the message
+                          ///< names participant, topic and reason (raised 0: all that were named are gone)
 };
 
 enum class SimCommandKind : std::uint32_t {

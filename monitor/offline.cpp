@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <cstring>
 #include <iostream>
 
@@ -10,6 +11,7 @@
 #include "deploy/recording/row_source.h"
 #include "deploy/recording/writer.h"
 #include "deploy/service/stop_signal.h"
+#include "monitor/checks/sample_time_watch.h"
 #include "monitor/dds/event_text.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/record/record_row.h"
@@ -44,7 +46,10 @@ class OfflineRun {
       : config_(config),
         engines_(engines),
         rows_(recording::open_rows(config.offline.file, config.offline.column_map)) {
-    for (const design::Design* design : engines.designs()) require_channels(*design);
+    for (const design::Design* design : engines.designs()) {
+      require_sample_time(*design);
+      require_channels(*design);
+    }
     recording::FileInfo info = rows_->info();
     info.recording_id = wall_clock_ns();
     info.part = 1;
@@ -67,6 +72,17 @@ class OfflineRun {
   }
 
  private:
+  /// A column map may state the time between rows; a recording says when each came, whatever its design was made for.
+  void require_sample_time(const design::Design& design) const {
+    const double stated_s = config_.offline.column_map.empty() ? 0.0 : rows_->info().sample_time_s;
+    const double needed_s = design.model.sample_time_s;
+    if (stated_s == 0.0 || std::abs(stated_s / needed_s - 1.0) <= SampleTimeWatch::tolerance) return;
+    throw FileError(
+        fmt::format("{}: 'file.sample_time_s' is {}, the design {:.12s} is made for {} s, allowed is {:.0f} % more or "
+                    "less: correct it, resample the table, or design for that sample time",
+                    config_.offline.column_map, stated_s, design.hash, needed_s, 100.0 * SampleTimeWatch::tolerance));
+  }
+
   /// Names decide, not units: a column map converts the units.
   void require_channels(const design::Design& design) const {
     const auto expected = recorded_channels(design);

@@ -20,6 +20,8 @@ PreparedDesign::PreparedDesign(std::shared_ptr<const design::Design> of)
     : design(std::move(of)),
       filter(design::make_filter(*design)),
       error_models(std::make_shared<const std::vector<estimation::ErrorModel>>(make_error_models(*design))),
-      faults(fault_tables(*design)) {}
+      faults(fault_tables(*design)),
+      shift(shift_tables(*design)),
+      slow_bias(slow_bias_table(*design)) {}
 
 }  // namespace ehm::monitor

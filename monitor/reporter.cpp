@@ -31,7 +31,8 @@ void say_malformed(const Report& report) {
 
 Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
                    InputWatch& input, StatusBoard& board)
-    : source_id_(source_id),
+    : unreadable_(participant.unreadable()),
+      source_id_(source_id),
       queue_(queue),
       notices_(notices),
       input_(input),
@@ -118,7 +119,12 @@ void Reporter::report_event(const Report& report) {
 }
 
 void Reporter::report_notices() {
-  input_.settle(monotonic_ns());
+  const std::int64_t now_ns = monotonic_ns();
+  input_.settle(now_ns);
+  if (now_ns - unreadable_told_ns_ >= 1'000'000'000) {
+    unreadable_told_ns_ = now_ns;
+    unreadable_.tell();
+  }
   for (const Notice& notice : notices_.take()) say(notice);
 }
 

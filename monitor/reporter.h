@@ -37,6 +37,8 @@ class Reporter {
   void report_overflow();
   void publish(HealthEvent& event);
 
+  wire::UnreadablePeers& unreadable_;
+  std::int64_t unreadable_told_ns_ = 0;
   std::uint32_t source_id_;
   ReportQueue& queue_;
   NoticeBoard& notices_;

@@ -37,6 +37,9 @@ wire::ParticipantOptions watched_participant(const MonitorConfig& config, Notice
   options.on_incompatible = [&notices](const std::string& what) {
     notices.post({wire::EventKind::incompatible_qos, true, what});
   };
+  options.on_unreadable = [&notices](bool present, const std::string& what) {
+    notices.post({wire::EventKind::unreadable_peer, present, what});
+  };
   return options;
 }
 

@@ -161,6 +161,9 @@ int main(int argc, char** argv) {
     participant_options.redundancy.exclusive = options.redundant;
     participant_options.security = options.security;
     participant_options.on_incompatible = [](const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
+    participant_options.on_unreadable = [](bool, const std::string& what) {
+      std::cerr << "ehm_watch: " << what << '\n';
+    };
     wire::Participant participant(participant_options);
     Ears ears(participant, options);
     demo::WatchData data;

@@ -36,6 +36,9 @@ class WatchedParticipant {
     options.partition = config.partition;
     options.security = config.security;
     options.on_incompatible = [](const std::string& what) { spdlog::warn("{}", what); };
+    options.on_unreadable = [](bool present, const std::string& what) {
+      spdlog::log(present ? spdlog::level::warn : spdlog::level::info, "{}", what);
+    };
     return options;
   }
 

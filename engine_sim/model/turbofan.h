@@ -1,8 +1,8 @@
 #pragma once
 // Gas path of a two-spool turbofan with separate exhausts (its station diagram is cycle() in turbofan.cpp).
 // At given spool speeds and fuel flow the six unknowns of flow_unknowns.h close six flow balances:
-//   W22 = LPC capacity, W25 = HPC capacity, W40 = HPT capacity, W48 = LPT capacity, W7 = core nozzle, W15 = bypass
-//   nozzle
+//   W22 = LPC capacity    W25 = HPC capacity    W40 = HPT capacity
+//   W48 = LPT capacity    W7 = core nozzle      W15 = bypass nozzle
 // Residuals are (flow - capacity)/flow; flow_balance.h closes them.
 // The spools then accelerate by what is left of the power balances; at a steady point (steady.h) nothing is.
 // Units SI. Source: Walsh & Fletcher, chapter 7 (matching); component equations in each component's header.

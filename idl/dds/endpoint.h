@@ -11,13 +11,23 @@
 
 namespace ehm::wire {
 
+/// The topic of T, whose remote endpoints of this side are watched from now on.
+template <class T>
+eprosima::fastdds::dds::Topic* topic_of(Participant& participant, UnreadablePeers::Side remote) {
+  UnreadablePeers& peers = participant.unreadable();
+  const eprosima::fastdds::dds::TypeSupport type(
+      new GuardedType<typename Topic<T>::PubSubType>(peers.intake(Topic<T>::name)));
+  auto* topic = participant.topic(Topic<T>::name, type);
+  peers.expect(remote, Topic<T>::name, type.get_type_name(), type->m_isGetKeyDefined, type->m_typeSize);
+  return topic;
+}
+
 template <class T>
 class Writer : private eprosima::fastdds::dds::DataWriterListener {
  public:
   /// `stronger_by`: ownership strength beyond the participant's.
   explicit Writer(Participant& participant, std::uint32_t stronger_by = 0) : participant_(participant) {
-    auto* topic = participant.topic(
-        Topic<T>::name, eprosima::fastdds::dds::TypeSupport(new GuardedType<typename Topic<T>::PubSubType>()));
+    auto* topic = topic_of<T>(participant, UnreadablePeers::Side::reader);
     Redundancy redundancy = participant.options().redundancy;
     redundancy.strength += stronger_by;
     writer_ = participant.publisher()->create_datawriter(
@@ -61,9 +71,9 @@ class Writer : private eprosima::fastdds::dds::DataWriterListener {
 template <class T>
 class Reader : private eprosima::fastdds::dds::DataReaderListener {
  public:
-  explicit Reader(Participant& participant) : participant_(participant) {
-    auto* topic = participant.topic(
-        Topic<T>::name, eprosima::fastdds::dds::TypeSupport(new GuardedType<typename Topic<T>::PubSubType>()));
+  explicit Reader(Participant& participant)
+      : participant_(participant), intake_(participant.unreadable().intake(Topic<T>::name)) {
+    auto* topic = topic_of<T>(participant, UnreadablePeers::Side::writer);
     // Data wakes the WaitSet, not the listener: the listener only hears of matching.
     auto mask = eprosima::fastdds::dds::StatusMask::none();
     mask << eprosima::fastdds::dds::StatusMask::subscription_matched()
@@ -71,8 +81,10 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
          << eprosima::fastdds::dds::StatusMask::requested_deadline_missed()
          << eprosima::fastdds::dds::StatusMask::liveliness_changed();
     auto qos = reader_qos(Topic<T>::delivery, Topic<T>::estimate, participant.options().redundancy);
-    if constexpr (Topic<T>::input)
+    if constexpr (Topic<T>::input) {
       ask(qos, participant.options().input.deadline_s, participant.options().input.lease_s);
+      qos.history().depth = input_depth;
+    }
     reader_ = participant.subscriber()->create_datareader(topic, qos, this, mask);
     if (!reader_) throw participant.refused("reader", Topic<T>::name);
     reader_->get_statuscondition().set_enabled_statuses(eprosima::fastdds::dds::StatusMask::data_available());
@@ -87,7 +99,10 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   /// The next sample, oldest first; false when there is none. Disposals and other notices without data are passed over.
   bool take(T& sample) {
     while (reader_->take_next_sample(&sample, &info_) == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK)
-      if (info_.valid_data) return true;
+      if (info_.valid_data) {
+        intake_->heard(writer());
+        return true;
+      }
     return false;
   }
   /// When the middleware received the sample last taken, wall clock, ns.
@@ -126,6 +141,7 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   }
 
   Participant& participant_;
+  std::shared_ptr<Intake> intake_;
   eprosima::fastdds::dds::DataReader* reader_ = nullptr;
   eprosima::fastdds::dds::SampleInfo info_;
   std::atomic<int> matched_{0};

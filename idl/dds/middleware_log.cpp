@@ -24,10 +24,14 @@ class Consumer : public dds::LogConsumer {
 
 }  // namespace
 
-void hear_middleware(std::function<void(const MiddlewareMessage&)> hear) {
+void hear_middleware(std::function<void(const MiddlewareMessage&)> hear, MiddlewareLevel level) {
   dds::Log::ClearConsumers();
   dds::Log::RegisterConsumer(std::make_unique<Consumer>(std::move(hear)));
-  dds::Log::SetVerbosity(dds::Log::Kind::Warning);
+  dds::Log::SetVerbosity(level == MiddlewareLevel::warnings ? dds::Log::Kind::Warning : dds::Log::Kind::Error);
+}
+
+bool is_of_no_concern(const MiddlewareMessage& message) {
+  return message.text.find("Could not set the next deadline") != std::string::npos;
 }
 
 struct MiddlewareErrors::Collected {

@@ -13,8 +13,16 @@ struct MiddlewareMessage {
   std::string text;
 };
 
-/// From now on `hear` is told of every warning and error, on the middleware's logging thread.
-void hear_middleware(std::function<void(const MiddlewareMessage&)> hear);
+enum class MiddlewareLevel { errors, warnings };
+
+/// From now on `hear` is told of every error, and warning if asked for, on the middleware's logging thread.
+void hear_middleware(std::function<void(const MiddlewareMessage&)> hear,
+                     MiddlewareLevel level = MiddlewareLevel::warnings);
+
+/// An error of the middleware that is none. Fast DDS 2.9.1 schedules the next deadline of an instance in the very call
+/// that takes the instance away (unregister_instance, Writer::release), and then says "Could not set the next deadline
+/// in the history": at each stop in order, for each engine and topic.
+bool is_of_no_concern(const MiddlewareMessage& message);
 
 /// Collects the middleware's errors while it lives; its end gives the middleware its own logging back.
 class MiddlewareErrors {

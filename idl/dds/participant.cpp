@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <iostream>
 #include <iterator>
 #include <optional>
 
+#include "idl/dds/discovery_listener.h"
 #include "idl/dds/security.h"
-#include "idl/dds/stranger_watch.h"
 
 namespace ehm::wire {
 
@@ -47,6 +48,24 @@ dds::DomainParticipantQos profile_from_file(const ParticipantOptions& options) {
   return qos;
 }
 
+dds::DomainParticipant* make_participant(const ParticipantOptions& options, DiscoveryListener& discovery) {
+  dds::DomainParticipantQos qos =
+      options.profiles_file.empty() ? built_in_profile(options) : profile_from_file(options);
+  std::optional<MiddlewareErrors> errors;
+  if (!options.security.empty()) {
+    auto properties = security_properties(options.security);
+    std::move(properties.begin(), properties.end(), std::back_inserter(qos.properties().properties()));
+    errors.emplace();
+  }
+  auto* made = dds::DomainParticipantFactory::get_instance()->create_participant(options.domain, qos, &discovery,
+                                                                                 dds::StatusMask::none());
+  if (!made)
+    throw DdsError("no DDS participant on domain " + std::to_string(options.domain) + ": " +
+                   (errors ? "the security files in '" + options.security + "' are refused: " + errors->text()
+                           : "the domain must be 0 to 232, and its UDP ports free and permitted"));
+  return made;
+}
+
 }  // namespace
 
 Participant::Participant(ParticipantOptions options) : options_(std::move(options)) {
@@ -64,23 +83,31 @@ Participant::Participant(ParticipantOptions options) : options_(std::move(option
 }
 
 void Participant::create() {
-  dds::DomainParticipantQos qos =
-      options_.profiles_file.empty() ? built_in_profile(options_) : profile_from_file(options_);
-  std::optional<MiddlewareErrors> errors;
-  if (!options_.security.empty()) {
-    auto properties = security_properties(options_.security);
-    std::move(properties.begin(), properties.end(), std::back_inserter(qos.properties().properties()));
-    errors.emplace();
+  constexpr int joins = 3;
+  unreadable_ = std::make_shared<UnreadablePeers>(options_.on_unreadable);
+  for (int i = 1;; ++i) {
+    discovery_ = std::make_unique<DiscoveryListener>(unreadable_, !options_.security.empty(), options_.on_stranger);
+    participant_ = make_participant(options_, *discovery_);
+    const std::string unproven = discovery_->await_proofs();
+    if (unproven.empty() || i == joins) break;
+    if (options_.on_stranger)
+      options_.on_stranger("participant " + unproven + " has not proven who it is: joining anew");
+    dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
   }
-  if (options_.on_stranger) strangers_ = std::make_unique<StrangerWatch>(options_.on_stranger);
-  participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
-      options_.domain, qos, strangers_.get(), dds::StatusMask::none());
-  if (!participant_)
-    throw DdsError("no DDS participant on domain " + std::to_string(options_.domain) + ": " +
-                   (errors ? "the security files in '" + options_.security + "' are refused: " + errors->text()
-                           : "the domain must be 0 to 232, and its UDP ports free and permitted"));
-  errors.reset();
-  if (options_.on_middleware) hear_middleware(options_.on_middleware);
+  if (options_.on_middleware || options_.on_unreadable) hear_log();
+}
+
+void Participant::hear_log() {
+  const auto hear = options_.on_middleware;
+  hear_middleware(
+      [hear, unreadable = unreadable_](const MiddlewareMessage& message) {
+        if (is_of_no_concern(message) || unreadable->understands(message.text)) return;
+        if (hear)
+          hear(message);
+        else
+          std::cerr << "middleware " << message.category << ": " << message.text << std::endl;
+      },
+      hear ? MiddlewareLevel::warnings : MiddlewareLevel::errors);
 }
 
 DdsError Participant::refused(const char* side, const char* topic) const {
@@ -91,7 +118,7 @@ DdsError Participant::refused(const char* side, const char* topic) const {
 }
 
 void Participant::tell_overdue_strangers() {
-  if (strangers_) strangers_->tell_overdue(StrangerWatch::Clock::now());
+  discovery_->tell_overdue_strangers();
 }
 
 Participant::~Participant() {

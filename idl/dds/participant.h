@@ -24,6 +24,7 @@
 #include "idl/dds/dds_error.h"
 #include "idl/dds/middleware_log.h"
 #include "idl/dds/qos.h"
+#include "idl/dds/unreadable_peers.h"
 #include "idl/topics.h"
 
 namespace ehm::wire {
@@ -50,13 +51,15 @@ struct ParticipantOptions {
   InputRequest input;
   /// Told, on a middleware thread, when an endpoint of ours and a remote one exclude each other by QoS.
   std::function<void(const std::string&)> on_incompatible;
+  /// Told, mostly on a middleware thread, of remote endpoints that no data can pass to or from (unreadable_peers.h).
+  UnreadablePeers::Say on_unreadable;
   /// Told, on a middleware thread, of each participant that could not prove who it is.
   std::function<void(const std::string&)> on_stranger;
   /// Told, on the middleware's logging thread, of its own warnings and errors, which else go to standard error.
   std::function<void(const MiddlewareMessage&)> on_middleware;
 };
 
-class StrangerWatch;
+class DiscoveryListener;
 
 class Participant {
  public:
@@ -75,13 +78,16 @@ class Participant {
   DdsError refused(const char* side, const char* topic) const;
   /// Call it about once a second where on_stranger is given.
   void tell_overdue_strangers();
+  UnreadablePeers& unreadable() { return *unreadable_; }
   void report_incompatible(const std::string& topic, const char* side, std::uint32_t policy) const;
 
  private:
   void create();
+  void hear_log();
 
   ParticipantOptions options_;
-  std::unique_ptr<StrangerWatch> strangers_;
+  std::shared_ptr<UnreadablePeers> unreadable_;  // the middleware's log may outlive us
+  std::unique_ptr<DiscoveryListener> discovery_;
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;

@@ -20,6 +20,9 @@ struct Redundancy {
 };
 
 inline constexpr int stream_depth = 256;           ///< samples kept a key: 3.8 s at 15 ms
+/// Of readers of EngineSensors. All writers of an engine share one history: a burst of another one's messages, whether
+/// they can be read or not, pushes the source's samples out of it while the cycle is held up. 31 s at 15 ms.
+inline constexpr int input_depth = 2048;
 inline constexpr double offered_deadline_s = 0.1;  ///< readers may ask for this or longer
 inline constexpr double offered_lease_s = 1.0;     ///< liveliness, automatic
 inline constexpr double redundant_lease_s =

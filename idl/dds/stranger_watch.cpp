@@ -1,33 +1,23 @@
 #include "idl/dds/stranger_watch.h"
 
-#include <fastdds/rtps/builtin/data/ParticipantProxyData.h>
-
+#include <algorithm>
 #include <sstream>
 #include <vector>
+
+#include "idl/dds/participant_text.h"
 
 namespace ehm::wire {
 
 namespace rtps = eprosima::fastrtps::rtps;
-
-namespace {
-
-std::string describe(const rtps::ParticipantProxyData& participant) {
-  std::ostringstream text;
-  text << "'" << participant.m_participantName.c_str() << "'";
-  const auto& addresses = participant.metatraffic_locators.unicast;
-  if (!addresses.empty()) text << " at " << addresses[0];
-  return text.str();
-}
-
-}  // namespace
 
 void StrangerWatch::on_participant_discovery(eprosima::fastdds::dds::DomainParticipant*,
                                              rtps::ParticipantDiscoveryInfo&& info) {
   using Info = rtps::ParticipantDiscoveryInfo;
   if (info.status == Info::DISCOVERED_PARTICIPANT) {
     const std::lock_guard lock(mutex_);
-    seen_[next_] = {State::pending, info.info.m_guid, describe(info.info), Clock::now()};
+    seen_[next_] = {State::pending, info.info.m_guid, participant_text(info.info), Clock::now()};
     next_ = (next_ + 1) % seen_.size();
+    changed_.notify_all();
   } else if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
     settle(info.info.m_guid);
   }
@@ -36,8 +26,17 @@ void StrangerWatch::on_participant_discovery(eprosima::fastdds::dds::DomainParti
 void StrangerWatch::onParticipantAuthentication(eprosima::fastdds::dds::DomainParticipant*,
                                                 rtps::ParticipantAuthenticationInfo&& info) {
   const std::string description = settle(info.guid);
-  if (info.status == rtps::ParticipantAuthenticationInfo::UNAUTHORIZED_PARTICIPANT)
+  if (say_ && info.status == rtps::ParticipantAuthenticationInfo::UNAUTHORIZED_PARTICIPANT)
     say_("participant " + description + " is kept out: it has no identity that this domain accepts");
+}
+
+std::string StrangerWatch::await_proofs() {
+  const auto is_pending = [](const Seen& seen) { return seen.state == State::pending; };
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, first_contact, [&] { return next_ > 0; });
+  changed_.wait_for(lock, handshake_limit, [&] { return std::none_of(seen_.begin(), seen_.end(), is_pending); });
+  const auto pending = std::find_if(seen_.begin(), seen_.end(), is_pending);
+  return pending == seen_.end() ? "" : pending->description;
 }
 
 void StrangerWatch::tell_overdue(Clock::time_point now) {
@@ -50,6 +49,7 @@ void StrangerWatch::tell_overdue(Clock::time_point now) {
       overdue.push_back(seen.description);
     }
   }
+  if (!say_) return;
   for (const auto& description : overdue)
     say_("participant " + description + " is kept out: it has not proven who it is (other authority, expired, clock?)");
 }
@@ -59,6 +59,7 @@ std::string StrangerWatch::settle(const rtps::GUID_t& guid) {
   for (Seen& seen : seen_) {
     if (seen.state == State::empty || !(seen.guid == guid)) continue;
     seen.state = State::settled;
+    changed_.notify_all();
     return seen.description;
   }
   std::ostringstream text;

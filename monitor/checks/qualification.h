@@ -1,9 +1,9 @@
 #pragma once
 // From single bad values to a verdict on the sensor, with hysteresis and requalification time:
 //
-//   trusted --bad value--> bridged --bridge_samples bad in a row--> excluded --requalify_samples good in a row-->
-//   trusted bridged --good value--> trusted                                 excluded --bad value--> the count starts
-//   anew
+//   trusted --bad value--> bridged      bridged --bridge_samples bad in a row--> excluded
+//                                       bridged --good value--> trusted
+//   excluded --requalify_samples good in a row--> trusted     excluded --bad value--> the count starts anew
 //
 // Real-time safe: yes.
 

@@ -13,6 +13,8 @@ namespace ehm::monitor {
 
 class SampleTimeWatch {
  public:
+  static constexpr double tolerance = 0.1;  ///< of the design's sample time
+
   explicit SampleTimeWatch(double sample_time_s) : sample_time_s_(sample_time_s) {}
 
   /// True while the sample time is right.
@@ -39,7 +41,6 @@ class SampleTimeWatch {
 
  private:
   static constexpr std::int64_t block = 64;
-  static constexpr double tolerance = 0.1;
   double sample_time_s_, sum_s_ = 0.0;
   std::int64_t steps_ = 0;
   int last_side_ = 0;  ///< of the block before: -1 too fast, 1 too slow

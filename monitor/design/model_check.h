@@ -16,8 +16,8 @@ namespace ehm::design {
 ///  - sample_time_s, a sigma or a noise_sigma is not above zero,
 ///  - process_noise is not symmetric or has a negative eigenvalue,
 ///  - a health unit is unknown, or an auxiliary output that is reported in percent has zero trim,
-///  - A is unstable: spectral radius of 1 or more (discrete), or an eigenvalue with real part of 0 or more
-///  (continuous).
+///  - A is unstable: spectral radius of 1 or more (discrete), or an eigenvalue with
+///    real part of 0 or more (continuous).
 void check_model(const estimation::LinearModel& model, const std::string& file,
                  int sensor_capacity = estimation::max_sensors);
 

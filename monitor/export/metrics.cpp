@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <string_view>
 
 #include "monitor/export/process_metrics.h"
 
@@ -164,8 +165,9 @@ MetricFamily events(const Fleet& fleet) {
       "ehm_events_total", "Conditions that began, by kind.", MetricType::Counter,
       [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
         for (std::size_t kind = 1; kind < wire::event_kind_names.size(); ++kind)
-          f.metric.push_back(
-              sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
+          if (wire::event_kind_names[kind] != std::string_view("?"))
+            f.metric.push_back(
+                sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
       },
       true);
 }

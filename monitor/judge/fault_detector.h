@@ -4,9 +4,9 @@
 //
 //   l_j = max over onsets of d_j^2 / J_j     (fault_signatures.h, onset_ring.h)
 //
-//   happened     the largest l_j exceeds the chi-square quantile (one degree of freedom) of false_alarm_per_hour,
-//   shared
-//                by all hypotheses, samples and octaves of onsets
+//   happened     the largest l_j exceeds the chi-square quantile
+//                (one degree of freedom) of false_alarm_per_hour,
+//                shared by all hypotheses, samples and octaves of onsets
 //   sensor s     l_s beats every other sensor and every component by the margin, and explains the innovations:
 //                E - l_s within four standard deviations of a chi-square
 //   component h  l_h beats every sensor by the margin; which component matters less than that it is one

@@ -5,14 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "monitor/estimation/steady_gain.h"
 #include "monitor/judge/quantiles.h"
 
 namespace ehm::monitor {
 
-ShiftDetector::Statistic ShiftDetector::make_statistic(const ShiftOptions& options, const design::Design& design,
-                                                       const design::SubsetDesign& subset) {
+namespace {
+
+ShiftStatistic make_statistic(const design::Design& design, const design::SubsetDesign& subset) {
   const auto model = estimation::scaled(design.model, design.scaling);
   const auto steady = estimation::steady_gain(model);
   const Eigen::MatrixXd scatter = 2.0 * subset.V * subset.health_noise_covariance * subset.V.transpose();
@@ -27,26 +29,35 @@ ShiftDetector::Statistic ShiftDetector::make_statistic(const ShiftOptions& optio
                                        .solve(subset.K * steady.H)
                                        .bottomRows(subset.V.rows());
 
-  Statistic s;
+  ShiftStatistic s;
   const auto tuners = subset.V.rows();
   s.information = factor.solve(Eigen::MatrixXd::Identity(tuners, tuners));
   s.signature = factor.solve(response).transpose();
   s.signature_information = (s.signature * response).diagonal();
-  const double looks_per_hour = 3600.0 / subset.slowest_time_constant_s;
-  s.threshold = chi_square_quantile(static_cast<double>(tuners),
-                                    normal_quantile_above(options.false_alarm_per_hour / looks_per_hour));
+  s.looks_per_hour = 3600.0 / subset.slowest_time_constant_s;
   s.settling_samples =
       static_cast<std::int64_t>(std::ceil(4.0 * subset.slowest_time_constant_s / design.model.sample_time_s));
   return s;
 }
 
-ShiftDetector::ShiftDetector(const ShiftOptions& options, const design::Design& design)
-    : full_(make_statistic(options, design, design.full)), health_scales_(design.scaling.health) {
-  for (const auto& subset : design.missing) {
-    missing_.emplace_back();
-    if (subset) missing_.back() = make_statistic(options, design, *subset);
-  }
-  active_ = &full_;
+}  // namespace
+
+std::shared_ptr<const ShiftTables> shift_tables(const design::Design& design) {
+  auto tables = std::make_shared<ShiftTables>();
+  tables->emplace_back(make_statistic(design, design.full));
+  for (const auto& subset : design.missing)
+    tables->push_back(subset ? std::optional(make_statistic(design, *subset)) : std::nullopt);
+  return tables;
+}
+
+ShiftDetector::ShiftDetector(const ShiftOptions& options, const design::Design& design,
+                             std::shared_ptr<const ShiftTables> tables)
+    : tables_(std::move(tables)), health_scales_(design.scaling.health) {
+  for (const auto& table : *tables_)
+    thresholds_.push_back(
+        table ? chi_square_quantile(static_cast<double>(table->information.rows()),
+                                    normal_quantile_above(options.false_alarm_per_hour / table->looks_per_hour))
+              : 0.0);
   window_.resize(static_cast<std::size_t>(std::max(1.0, std::round(options.window_s / design.model.sample_time_s))));
   persistence_samples_ = static_cast<std::int64_t>(std::round(options.persistence_s / design.model.sample_time_s));
 }
@@ -59,15 +70,15 @@ void ShiftDetector::reset() noexcept {
 Event ShiftDetector::isolate(const estimation::TunerVector& change) const noexcept {
   Eigen::Index best = 0;
   double best_ratio = -1.0, best_size = 0.0;
-  for (Eigen::Index i = 0; i < active_->signature_information.size(); ++i) {
-    const double information = active_->signature_information(i);
+  for (Eigen::Index i = 0; i < active().signature_information.size(); ++i) {
+    const double information = active().signature_information(i);
     if (!(information > 0.0)) continue;  // the sensors do not see this parameter
-    const double size = active_->signature.row(i).dot(change) / information;
+    const double size = active().signature.row(i).dot(change) / information;
     if (const double ratio = size * size * information; ratio > best_ratio)
       best = i, best_ratio = ratio, best_size = size;
   }
   const double scale = health_scales_(best);
-  const double least = std::sqrt(active_->threshold / active_->signature_information(best));
+  const double least = std::sqrt(threshold() / active().signature_information(best));
   return {wire::EventKind::health_shift, static_cast<std::uint32_t>(best), true, scale * best_size, scale * least, 0};
 }
 
@@ -79,12 +90,11 @@ void ShiftDetector::name(const Event& shift, EventList& events) noexcept {
 }
 
 void ShiftDetector::judge(const estimation::TunerVector& tuners, int missing, bool wait, EventList& events) noexcept {
-  if (missing != active_missing_) {
-    active_missing_ = missing;
-    active_ = missing < 0 ? &full_ : &*missing_[static_cast<std::size_t>(missing)];
+  if (const auto set = static_cast<std::size_t>(missing + 1); set != active_) {
+    active_ = set;
     reset();
   }
-  if (since_start_ < active_->settling_samples) {
+  if (since_start_ < active().settling_samples) {
     ++since_start_;
     return;
   }
@@ -97,17 +107,17 @@ void ShiftDetector::judge(const estimation::TunerVector& tuners, int missing, bo
     return;
   }
 
-  const double statistic = change.dot(active_->information.lazyProduct(change));
+  const double statistic = change.dot(active().information.lazyProduct(change));
   if (condition_.raised()) {
     if (hold_ > 0) {
       --hold_;
-    } else if (statistic < 0.5 * active_->threshold) {
+    } else if (statistic < 0.5 * threshold()) {
       above_ = 0;
       condition_.set(false, named_, events);
     }
     return;
   }
-  above_ = statistic > active_->threshold ? above_ + 1 : 0;
+  above_ = statistic > threshold() ? above_ + 1 : 0;
   if (!wait && above_ > persistence_samples_) {
     named_ = isolate(change);
     condition_.set(true, named_, events);

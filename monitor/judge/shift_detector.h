@@ -6,8 +6,8 @@
 //                                                 S_q = V (Th S Th^T) V^T, both ends independent after w
 //   s_i    = [(I-Acl)^-1 Kinf H]_q e_i            how q answers to one percent of health parameter i in steady state
 //   a_i    = s_i^T (2 S_q)^-1 d / g_i             its most likely size, g_i = s_i^T (2 S_q)^-1 s_i
-//   i*     = argmax a_i^2 g_i                     the single parameter that explains most (generalised likelihood
-//   ratio)
+//   i*     = argmax a_i^2 g_i                     the single parameter that explains most
+//                                                 (generalised likelihood ratio)
 //
 // Raised when D has exceeded its threshold for the persistence time without a break, as an event on channel i* with
 // value a_i* and threshold the smallest a_i* that D would see. Cleared when D is below half the threshold. Slow wear
@@ -17,6 +17,7 @@
 // tells when it has settled, and names what was too slow or too small for that. Source of the ratio: Basseville &
 // Nikiforov, Detection of Abrupt Changes, ch. 7 (linear Gaussian case).
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,9 +28,25 @@
 
 namespace ehm::monitor {
 
+/// Constants of one sensor set.
+struct ShiftStatistic {
+  estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> information;  ///< (2 S_q)^-1
+  estimation::BoundedMatrix<estimation::max_health, estimation::max_tuners> signature;    ///< s_i^T (2 S_q)^-1
+  estimation::HealthVector signature_information;                                         ///< g_i
+  double looks_per_hour = 0.0;                                                            ///< independent ones
+  std::int64_t settling_samples = 0;  ///< four of the slowest time constants: the start must not look like a change
+};
+
+/// [0] full set, [1 + i] without sensor i, empty where no design flies so.
+using ShiftTables = std::vector<std::optional<ShiftStatistic>>;
+
+/// What the detectors of all engines of one design share. @throws std::invalid_argument if S_q is not positive definite.
+std::shared_ptr<const ShiftTables> shift_tables(const design::Design& design);
+
 class ShiftDetector {
  public:
-  ShiftDetector(const ShiftOptions& options, const design::Design& design);
+  /// `tables` as shift_tables(design) makes them.
+  ShiftDetector(const ShiftOptions& options, const design::Design& design, std::shared_ptr<const ShiftTables> tables);
 
   /// Takes the estimate of one sample. `missing` is the sensor that the present design lacks, -1 for none; a change of
   /// it starts the comparison anew. With `wait` nothing is named. Real-time safe: yes.
@@ -40,25 +57,15 @@ class ShiftDetector {
   void reset() noexcept;
 
   bool raised() const noexcept { return condition_.raised(); }
-  double threshold() const noexcept { return active_->threshold; }
+  double threshold() const noexcept { return thresholds_[active_]; }
 
  private:
-  /// Constants of one sensor set.
-  struct Statistic {
-    estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> information;  ///< (2 S_q)^-1
-    estimation::BoundedMatrix<estimation::max_health, estimation::max_tuners> signature;    ///< s_i^T (2 S_q)^-1
-    estimation::HealthVector signature_information;                                         ///< g_i
-    double threshold = 0.0;
-    std::int64_t settling_samples = 0;  ///< four of the slowest time constants: the start must not look like a change
-  };
-  static Statistic make_statistic(const ShiftOptions& options, const design::Design& design,
-                                  const design::SubsetDesign& subset);
+  const ShiftStatistic& active() const noexcept { return *(*tables_)[active_]; }
   Event isolate(const estimation::TunerVector& change) const noexcept;
 
-  Statistic full_;
-  std::vector<std::optional<Statistic>> missing_;
-  const Statistic* active_ = nullptr;
-  int active_missing_ = -1;
+  std::shared_ptr<const ShiftTables> tables_;
+  std::vector<double> thresholds_;  ///< as tables_
+  std::size_t active_ = 0;
   estimation::HealthVector health_scales_;
 
   std::vector<estimation::TunerVector> window_;  ///< ring of the last w estimates

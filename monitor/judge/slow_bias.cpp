@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <utility>
 
 #include "monitor/design/detectability.h"
 #include "monitor/estimation/steady_gain.h"
@@ -17,12 +18,8 @@ constexpr double ordinary_tail = 1e-3;
 
 }  // namespace
 
-SlowBias::SlowBias(const FaultOptions& options, const design::Design& design)
-    : threshold_(normal_quantile_above(0.5 * options.slow_bias_probability)),
-      least_gain_(-2.0 * std::log(options.wrong_name_probability)),
-      persistence_samples_(std::llround(persistence_s / design.model.sample_time_s)),
-      z_(estimation::SensorVector::Zero(static_cast<Eigen::Index>(design.model.sensors.size()))),
-      conditions_(design.model.sensors.size()) {
+std::shared_ptr<const SlowBiasTable> slow_bias_table(const design::Design& design) {
+  auto table = std::make_shared<SlowBiasTable>();
   const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(model).H;
   const Eigen::Index m = H.rows();
@@ -35,43 +32,53 @@ SlowBias::SlowBias(const FaultOptions& options, const design::Design& design)
   const Eigen::MatrixXd inverse = spread.llt().solve(Eigen::MatrixXd::Identity(m, m));
   const Eigen::VectorXd root = inverse.diagonal().cwiseSqrt();
   const Eigen::MatrixXd HW = H * design.full.W;
-  whitened_ = root.cwiseInverse().asDiagonal() * inverse * HW;
-  distance_ = HW.transpose() * inverse * HW;
-  bias_per_z_ = design.scaling.sensor.cwiseQuotient(root);
-  ordinary_ = chi_square_quantile(static_cast<double>(m), normal_quantile_above(ordinary_tail));
+  table->whitened = root.cwiseInverse().asDiagonal() * inverse * HW;
+  table->distance = HW.transpose() * inverse * HW;
+  table->bias_per_z = design.scaling.sensor.cwiseQuotient(root);
+  table->ordinary = chi_square_quantile(static_cast<double>(m), normal_quantile_above(ordinary_tail));
   const Eigen::VectorXd detectability =
       design::slow_bias_detectability(design.model, design.scaling, design.full);
   for (Eigen::Index i = 0; i < m; ++i)
-    watched_[static_cast<std::size_t>(i)] = detectability(i) > design::least_detectability;
+    table->watched[static_cast<std::size_t>(i)] = detectability(i) > design::least_detectability;
+  table->persistence_samples = std::llround(persistence_s / design.model.sample_time_s);
+  return table;
 }
+
+SlowBias::SlowBias(const FaultOptions& options, std::shared_ptr<const SlowBiasTable> table)
+    : table_(std::move(table)),
+      threshold_(normal_quantile_above(0.5 * options.slow_bias_probability)),
+      least_gain_(-2.0 * std::log(options.wrong_name_probability)),
+      z_(estimation::SensorVector::Zero(table_->bias_per_z.size())),
+      conditions_(static_cast<std::size_t>(table_->bias_per_z.size())) {}
 
 bool SlowBias::drifted(int sensor, double distance2) const noexcept {
   const double z = std::abs(z_(sensor));
-  if (z < threshold_ || distance2 - z * z > ordinary_) return false;
+  if (z < threshold_ || distance2 - z * z > table_->ordinary) return false;
   for (Eigen::Index j = 0; j < z_.size(); ++j)
     if (j != sensor && std::abs(z_(j)) > rival_share * z) return false;
   return true;
 }
 
 void SlowBias::judge(const estimation::TunerVector& tuners, EventList& events) noexcept {
-  if (watched_.none()) return;
-  z_.noalias() = whitened_.lazyProduct(tuners);
-  const double distance2 = tuners.dot(distance_.lazyProduct(tuners));
+  if (table_->watched.none()) return;
+  z_.noalias() = table_->whitened.lazyProduct(tuners);
+  const double distance2 = tuners.dot(table_->distance.lazyProduct(tuners));
   for (int i = 0; i < z_.size(); ++i) {
     const auto s = static_cast<std::size_t>(i);
-    if (!watched_[s]) continue;
+    if (!table_->watched[s]) continue;
     Condition& condition = conditions_[s];
     above_[s] = drifted(i, distance2) ? above_[s] + 1 : 0;
-    const bool now = condition.raised() ? std::abs(z_(i)) > clear_share * threshold_ : above_[s] > persistence_samples_;
+    const bool now =
+        condition.raised() ? std::abs(z_(i)) > clear_share * threshold_ : above_[s] > table_->persistence_samples;
     condition.set(now,
-                  {wire::EventKind::slow_bias, static_cast<std::uint32_t>(i), false, bias_per_z_(i) * z_(i),
-                   bias_per_z_(i) * threshold_, 0},
+                  {wire::EventKind::slow_bias, static_cast<std::uint32_t>(i), false, table_->bias_per_z(i) * z_(i),
+                   table_->bias_per_z(i) * threshold_, 0},
                   events);
   }
 }
 
 bool SlowBias::ended_by(int sensor, double size) const noexcept {
-  const double step = size / bias_per_z_(sensor);
+  const double step = size / table_->bias_per_z(sensor);
   return watches(sensor) && -2.0 * z_(sensor) * step - step * step > least_gain_;
 }
 

@@ -20,7 +20,9 @@
 // if the step ends a drift. More than 2 ln(1 / wrong_name_probability) is the end of one: then |z_i| > sqrt(g), and one
 // engine of the fleet in 10 000 stands there by wear.
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "monitor/design/design.h"
@@ -30,9 +32,22 @@
 
 namespace ehm::monitor {
 
+/// Constants of one design.
+struct SlowBiasTable {
+  estimation::BoundedMatrix<estimation::max_sensors, estimation::max_tuners> whitened;  ///< D^-1/2 Sy^-1 H W: z = . q
+  estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> distance;   ///< W^T H^T Sy^-1 H W
+  estimation::SensorVector bias_per_z;                                                  ///< sensor units
+  estimation::SensorMask watched;
+  double ordinary = 0.0;  ///< quantile of the distance without the bias
+  std::int64_t persistence_samples = 0;
+};
+
+/// What the judges of all engines of one design share.
+std::shared_ptr<const SlowBiasTable> slow_bias_table(const design::Design& design);
+
 class SlowBias {
  public:
-  SlowBias(const FaultOptions& options, const design::Design& design);
+  SlowBias(const FaultOptions& options, std::shared_ptr<const SlowBiasTable> table);
 
   /// `tuners` of the full sensor set, converged.
   void judge(const estimation::TunerVector& tuners, EventList& events) noexcept;
@@ -40,17 +55,13 @@ class SlowBias {
   void reset(EventList& events) noexcept;
   /// Does a step of `size` (sensor units) of a sensor end a drift that the filter has followed?
   bool ended_by(int sensor, double size) const noexcept;
-  bool watches(int sensor) const noexcept { return watched_[static_cast<std::size_t>(sensor)]; }
+  bool watches(int sensor) const noexcept { return table_->watched[static_cast<std::size_t>(sensor)]; }
 
  private:
   bool drifted(int sensor, double distance2) const noexcept;
 
-  estimation::BoundedMatrix<estimation::max_sensors, estimation::max_tuners> whitened_;  ///< D^-1/2 Sy^-1 H W: z = . q
-  estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> distance_;   ///< W^T H^T Sy^-1 H W
-  estimation::SensorVector bias_per_z_;                                                  ///< sensor units
-  estimation::SensorMask watched_;
-  double threshold_, ordinary_, least_gain_;
-  std::int64_t persistence_samples_;
+  std::shared_ptr<const SlowBiasTable> table_;
+  double threshold_, least_gain_;
   estimation::SensorVector z_;
   std::array<std::int64_t, estimation::max_sensors> above_{};
   std::vector<Condition> conditions_;

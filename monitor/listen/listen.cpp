@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <mutex>
@@ -21,6 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::chrono::milliseconds misfit_period{400};  // between looks at messages that are not of the type
 constexpr double patience_s = 3.0;  // beside --seconds, for endpoints to match and the first sample to come
 
 /// What the middleware says on its own threads.
@@ -33,6 +35,11 @@ class Complaints {
   std::set<std::string> all() const {
     const std::lock_guard lock(mutex_);
     return texts_;
+  }
+  bool about(const std::string& topic) const {
+    const auto texts = all();
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return text.starts_with("topic " + topic + ":"); });
   }
 
  private:
@@ -74,7 +81,7 @@ void judge_whole(ListenReport& report, const MonitorConfig& config, int writers,
                               key.first)});
     last_engine = key.first;
   }
-  if (!report.sources.empty()) return;
+  if (!report.sources.empty() || complaints.about("EngineSensors")) return;  // who is kept out is known already
   const std::string place = fmt::format("domain {}, partition '{}'", config.domain, config.partition);
   report.findings.push_back(
       {true, writers == 0 ? "no writer of EngineSensors on " + place +
@@ -104,6 +111,9 @@ bool listen(const MonitorConfig& config, const EngineTable& engines, const Liste
   InputWatch input(unheard, config.input_deadline_s, config.input_lease_s);
   participant_options.input = input.request();  // as the service asks for it
   participant_options.on_incompatible = [&](const std::string& what) { complaints.add(what); };
+  participant_options.on_unreadable = [&](bool present, const std::string& what) {
+    if (present) complaints.add(what);
+  };
   wire::Participant participant(participant_options);
   wire::Reader<EngineSensors> sensors(participant);
   wire::Reader<EngineDescription> descriptions(participant);
@@ -115,7 +125,7 @@ bool listen(const MonitorConfig& config, const EngineTable& engines, const Liste
   Descriptions described;
   EngineSensors sample;
   int writers = 0;
-  auto start = Clock::now();
+  auto start = Clock::now(), told = start;
   double limit_s = options.seconds + patience_s;
   while (!stop.requested() && (options.seconds == 0.0 || report.seconds < limit_s)) {
     wait_set.wait(triggered, eprosima::fastrtps::Duration_t(0.05L));
@@ -127,6 +137,10 @@ bool listen(const MonitorConfig& config, const EngineTable& engines, const Liste
       report.sources[{sample.engine_id(), sample.source_id()}].record.hear(sample, sensors.received_ns());
     }
     hear_descriptions(descriptions, described);
+    if (Clock::now() - told >= misfit_period) {
+      told = Clock::now();
+      participant.unreadable().tell();
+    }
     writers = std::max(writers, sensors.matched());
     report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }

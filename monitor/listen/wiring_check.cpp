@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "idl/wire_values.h"
+#include "monitor/checks/sample_time_watch.h"
 #include "monitor/judge/validity.h"
 #include "monitor/listen/expectation.h"
 #include "monitor/listen/suspicion.h"
@@ -11,7 +12,6 @@ namespace ehm::monitor {
 
 namespace {
 
-constexpr double sample_time_tolerance = 0.1;  // the monitor's own, checks/sample_time_watch.h
 constexpr double clock_tolerance = 0.005;      // two clocks that run apart by more than this are not both right
 constexpr double noise_ratio_max = 3.0, noise_ratio_min = 0.1;
 constexpr std::uint64_t samples_for_noise = 50;
@@ -42,10 +42,10 @@ void check_order(const SourceRecord& s, Findings& findings) {
 void check_times(const SourceRecord& s, double sample_time_s, double stale_s, Findings& findings) {
   if (s.source.count == 0) return;
   const double source = s.source.mean_s() / sample_time_s, own = s.own.mean_s() / sample_time_s;
-  if (std::abs(source - 1.0) > sample_time_tolerance) {
+  if (std::abs(source - 1.0) > SampleTimeWatch::tolerance) {
     std::string hint = "the monitor withholds estimates of samples in another rate";
     for (const auto& [unit, factor] : {std::pair{"seconds", 1e-9}, {"milliseconds", 1e-6}, {"microseconds", 1e-3}})
-      if (std::abs(source / factor - 1.0) < sample_time_tolerance)
+      if (std::abs(source / factor - 1.0) < SampleTimeWatch::tolerance)
         hint = fmt::format("it looks like {}, nanoseconds are needed", unit);
     error(findings, fmt::format("source_time_ns grows by {:.6g} s a sample, the design has {:.6g} s: {}",
                                 s.source.mean_s(), sample_time_s, hint));
@@ -126,6 +126,10 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
   check_order(s, findings);
   check_times(s, model.sample_time_s, options.stale_periods * model.sample_time_s, findings);
   if (description) {
+    if (const double stated_s = description->sample_time_s();
+        stated_s > 0.0 && std::abs(stated_s / model.sample_time_s - 1.0) > SampleTimeWatch::tolerance)
+      error(findings, fmt::format("sample_time_s is {:.6g} by the source's description, {:.6g} by the design", stated_s,
+                                  model.sample_time_s));
     check_names("sensor", description->sensors().data(), description->sensor_count(), model.sensors, findings);
     check_names("actuator", description->actuators().data(), description->actuator_count(), model.controls, findings);
   }

@@ -2,9 +2,9 @@
 // parameters, 7 tuners, 3 actuators, 4 auxiliary outputs.
 //   kalman_steps           15 ms steps a second on one core: truth, noise, filter and the errors of the window
 //   filter_step            the monitor's filter alone: predict, innovation, update with all its outputs
-//   fused_fixed_size       the least that such a filter can cost: xhat = Acl xhat + (I-KC) B u + K y, sizes known to
-//   the
-//                          compiler, no innovation, no outputs, no choice of sensors
+//   fused_fixed_size       the least that such a filter can cost: xhat = Acl xhat + (I-KC) B u + K y,
+//                          sizes known to the compiler, no innovation, no outputs,
+//                          no choice of sensors
 //   fused_with_outputs     the same with h and z
 //   filter_step_ratio      all three in one run, alternating; ratios of filter_step to the other two
 //   sensor_noise           seven normal deviates

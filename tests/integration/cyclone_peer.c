@@ -3,12 +3,19 @@
 //   cyclone_peer listen DOMAIN SECONDS          counts what it hears on every topic, prints "TOPIC COUNT" lines
 //   cyclone_peer feed DOMAIN COUNT ACTUATOR SENSOR...   publishes COUNT EngineSensors around the given trim, every 15 ms,
 //                                               once a reader has matched; waits until all are acknowledged
+//   cyclone_peer feed-xcdr2 ...                 the same in data representation XCDR2, which no reader of ours takes
+//
+// Built once more for each IDL that is not quite ours (odd_idl in CMakeLists.txt).
 #include <dds/dds.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef EHM_ODD_TYPES
+#include EHM_ODD_TYPES
+#else
 #include "engine_health.h"
+#endif
 
 #define TOPICS 10
 
@@ -65,8 +72,10 @@ static int listen_all(dds_entity_t participant, double seconds) {
   return 0;
 }
 
-static int feed(dds_entity_t participant, int count, double actuator, char **sensor, int sensors) {
+static int feed(dds_entity_t participant, bool xcdr2, int count, double actuator, char **sensor, int sensors) {
   dds_qos_t *qos = reliable(false, 256);
+  const dds_data_representation_id_t representation = DDS_DATA_REPRESENTATION_XCDR2;
+  if (xcdr2) dds_qset_data_representation(qos, 1, &representation);
   const dds_entity_t writer = dds_create_writer(participant, dds_create_topic(participant, &ehm_EngineSensors_desc, "EngineSensors", NULL, NULL), qos, NULL);
   dds_delete_qos(qos);
   dds_publication_matched_status_t matched = {0};
@@ -108,7 +117,7 @@ int main(int argc, char **argv) {
   }
   const int result = strcmp(argv[1], "listen") == 0
                          ? listen_all(participant, atof(argv[3]))
-                         : feed(participant, atoi(argv[3]), atof(argv[4]), argv + 5, argc - 5);
+                         : feed(participant, strcmp(argv[1], "feed-xcdr2") == 0, atoi(argv[3]), atof(argv[4]), argv + 5, argc - 5);
   dds_delete(participant);
   return result;
 }

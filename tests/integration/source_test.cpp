@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 
+#include "tests/integration/observability/stopped_thread.h"
 #include "tests/integration/pair.h"
 
 namespace {
@@ -170,6 +171,35 @@ TEST_F(SourceTest, MessagesThatAreNotOfTheTypeDoNotEndTheMonitor) {
   EXPECT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 50; })) << monitor->log();
   EXPECT_TRUE(monitor->running());
   EXPECT_EQ(status().samples_lost(), 0u);
+}
+
+TEST_F(SourceTest, MessagesThatAreNotOfTheTypePushNoSampleOutWhileTheCycleIsHeldUp) {
+  const auto monitor = start_monitor({"--monitor-status-period-s", "0.1"});
+  const auto simulator = start_simulator();
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 50; }));
+  wire::Participant stranger(options(domain_));
+  auto* topic = stranger.topic("EngineSensors", eprosima::fastdds::dds::TypeSupport(new GarbledType()));
+  auto* writer = stranger.publisher()->create_datawriter(
+      topic, wire::writer_qos(wire::Delivery::stream, false, wire::Redundancy{}));
+  eprosima::fastdds::dds::PublicationMatchedStatus matched;
+  ASSERT_TRUE(listener_.await([&] {
+    writer->get_publication_matched_status(matched);
+    return matched.current_count == 2;
+  }));
+  {
+    const StoppedThread held_up(monitor->pid());  // the cycle is the main thread; the middleware's go on
+    const std::size_t sent = listener_.sensors.size();
+    ASSERT_TRUE(listener_.await([&] { return listener_.sensors.size() > sent + 20; }));
+    EngineSensors sample;
+    sample.engine_id(1);
+    for (int i = 0; i < 600; ++i) writer->write(&sample);
+    writer->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(5, 0));
+  }
+  const std::size_t estimates = listener_.health.size();
+  EXPECT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 50; })) << monitor->log();
+  EXPECT_EQ(status().samples_lost(), 0u);
+  EXPECT_EQ(status().filter_restarts(), 0u);
+  stranger.publisher()->delete_datawriter(writer);
 }
 
 TEST_F(SourceTest, AFloodOfBadSamplesDoesNotDisturbTheSource) {

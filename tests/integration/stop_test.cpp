@@ -49,6 +49,7 @@ TEST_F(StopTest, FiftyEnginesAreKept) {
   };
   ASSERT_TRUE(listener_.await(copy));
   EXPECT_EQ(stop(*monitor, "50 engines with checkpoints"), 0);
+  EXPECT_EQ(monitor->log().find("deadline"), std::string::npos) << "the middleware's false alarm is kept back";
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
     files += entry.path().extension() == ".json";

@@ -1,9 +1,10 @@
 #pragma once
 // One line of the soak's script to the agent becomes one command on DDS.
 //
-//   sensor CHANNEL KIND MAGNITUDE DURATION_S    KIND as in wire::SensorFaultKind, by name; MAGNITUDE in the sensor's
-//   unit health CHANNEL CHANGE RAMP_S                relative to the present health, fraction clear all sensor faults
-//   reset                                       the monitor's filter
+//   sensor CHANNEL KIND MAGNITUDE DURATION_S   KIND as in wire::SensorFaultKind, by name; MAGNITUDE in its unit
+//   health CHANNEL CHANGE RAMP_S               relative to the present health, fraction
+//   clear                                      all sensor faults
+//   reset                                      the monitor's filter
 //   quit
 
 #include <optional>

@@ -11,8 +11,8 @@
 //   svd               on the first t right singular vectors of [H; Hz], reporting units
 //   full_map          full-order MAP on one noisy snapshot
 //   gauss_markov      steady full-order filter, health driven as hard as the tuners are: rho of gauss_markov.h
-//   time_varying      full-order filter after `run_s` from a cold start: the limit for that many samples
-//   (limit_after.h) bayes_limit       endless averaging at this point
+//   time_varying      full-order filter after `run_s` from a cold start: the limit for that many samples, limit_after.h
+//   bayes_limit       endless averaging at this point
 //
 // t is the design's number of tuners; where nothing is reduced (t = p) the subsets and the SVD would all be the design,
 // and are left out, as is a subset that the sensors cannot tell apart. Error: squared, over the fleet, on the linear

@@ -1,7 +1,7 @@
 #pragma once
 // A lower bound of J for every set of sensors at once: J of the Bayes limit of that set, which no filter on it beats.
-//   C0(S) = Ph - Ph H_S^T (H_S Ph H_S^T)^-1 H_S Ph = Ph^1/2 (I - Q Q^T) Ph^1/2,   Q an orthonormal basis of Ph^1/2
-//   H_S^T J(S) >= sum_i wh C0_ii + sum_j wz_j (Hz C0 Hz^T)_jj
+//   C0(S) = Ph - Ph H_S^T (H_S Ph H_S^T)^-1 H_S Ph = Ph^1/2 (I - Q Q^T) Ph^1/2,  Q orthonormal basis of Ph^1/2 H_S^T
+//   J(S) >= sum_i wh C0_ii + sum_j wz_j (Hz C0 Hz^T)_jj
 // Each further sensor adds at most one column to Q (Gram and Schmidt), so that the 2^n bounds cost a depth-first walk
 // with some p |S| operations a set. A larger set has a smaller bound: the bound of all sensors still possible also
 // bounds every set that leaves some of them out. Source: THEORY section 5.

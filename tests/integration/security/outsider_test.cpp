@@ -95,6 +95,43 @@ TEST_F(OutsiderTest, WithAnExpiredCertificate) {
   EXPECT_THROW(wire::Participant(options("late", identity(name))), wire::DdsError);
 }
 
+/// Who joins while somebody's handshake hangs. A participant without security stands for it: it announces itself, and
+/// never answers.
+class HangingHandshakeTest : public SecuredPair {
+ protected:
+  HangingHandshakeTest() : mute_(std::make_unique<wire::Participant>(options("mute", ""))) {}
+  wire::ParticipantOptions joining() {
+    wire::ParticipantOptions o = options("joining", identity("viewer"));
+    o.on_stranger = [this](const std::string& text) {
+      said_.push_back(text);
+      if (leaves_) mute_.reset();
+    };
+    return o;
+  }
+  bool leaves_ = false;
+  std::unique_ptr<wire::Participant> mute_;
+  std::vector<std::string> said_;
+};
+
+TEST_F(HangingHandshakeTest, IsEndedByJoiningAnewWithinFiveSeconds) {
+  leaves_ = true;
+  const auto start = std::chrono::steady_clock::now();
+  wire::Participant joins(joining());
+  EXPECT_LT(std::chrono::steady_clock::now() - start, seconds(5));
+  ASSERT_EQ(said_.size(), 1u);
+  EXPECT_THAT(said_[0], testing::AllOf(testing::HasSubstr("participant 'mute' at UDPv4:["),
+                                       testing::HasSubstr("has not proven who it is: joining anew")));
+}
+
+TEST_F(HangingHandshakeTest, OfAStrangerWhoStaysKeepsNobodyOut) {
+  monitor_ = start_monitor();
+  wire::Participant joins(joining());
+  EXPECT_EQ(said_.size(), 2u);  // the third time it stays
+  wire::Reader<EngineHealth> reader(joins);
+  for (int i = 0; i < 200 && reader.matched() == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(reader.matched(), 1);
+}
+
 TEST_F(OutsiderTest, WithARevokedCertificate) {
   const std::string name = "stolen-" + std::to_string(getpid());
   make_identity({"--role", "sensor_source", "--name", name});

@@ -88,7 +88,7 @@ class TightFleet : public Accommodation {
 };
 
 TEST_F(TightFleet, ADriftThatEndsIsNoNewFaultAndTheEstimateFollowsAtOnce) {
-  const SlowBias judge(FaultOptions{}, *design_);
+  const SlowBias judge(FaultOptions{}, slow_bias_table(*design_));
   int drifted = 0;
   for (int sensor = 0; sensor < 7; ++sensor) {
     if (!judge.watches(sensor)) continue;

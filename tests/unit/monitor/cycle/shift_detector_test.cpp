@@ -47,6 +47,15 @@ TEST(ShiftDetector, ClearsWhenTheWindowHasPassed) {
   EXPECT_EQ(found[1].channel, 4u);
 }
 
+TEST(PreparedDesign, ItsTablesAreMadeOnceAndSharedByAllEngines) {
+  const PreparedDesign prepared(test::made_up_design());
+  const long owners[]{prepared.shift.use_count(), prepared.slow_bias.use_count()};
+  std::vector<std::unique_ptr<MonitorCycle>> engines;
+  for (int i = 0; i < 10; ++i) engines.push_back(std::make_unique<MonitorCycle>(prepared, CycleOptions{}));
+  EXPECT_EQ(prepared.shift.use_count(), owners[0] + 10);
+  EXPECT_EQ(prepared.slow_bias.use_count(), owners[1] + 10);
+}
+
 TEST(ShiftDetector, IsSilentOverAnHourOfNoise) {
   EXPECT_TRUE(shifts(0, 0.0, 240'000, 23).empty());
 }

@@ -23,7 +23,7 @@ std::vector<Event> judged(const design::Design& design, const Eigen::VectorXd& h
   Eigen::VectorXd ys = H * h;
   ys(sensor) += sigmas * model.sensor_noise_sigma(sensor);
   const Eigen::VectorXd q = (H * design.full.W).completeOrthogonalDecomposition().solve(ys);
-  SlowBias judge(FaultOptions{}, design);
+  SlowBias judge(FaultOptions{}, slow_bias_table(design));
   EventList events;
   std::vector<Event> raised;
   for (int k = 0; k < 1000; ++k) judge.judge(q, events);
@@ -36,7 +36,7 @@ TEST(SlowBias, FollowsItsDetectability) {
   const auto design = test::made_up_design();
   const Eigen::VectorXd detectability =
       design::slow_bias_detectability(design->model, design->scaling, design->full);
-  const SlowBias judge(FaultOptions{}, *design);
+  const SlowBias judge(FaultOptions{}, slow_bias_table(*design));
   for (int i = 0; i < 7; ++i) {
     EXPECT_EQ(judge.watches(i), detectability(i) > 5.0) << i;
     // A bias ten threshold sizes large is seen where the sensor is watched, and nowhere else.

@@ -168,6 +168,11 @@ TEST(WiringCheck, ComparesNamesAndUnitsWithTheSourcesDescription) {
     d.sensors()[i].unit() = said[i][1];
   }
   EXPECT_EQ(found(fly(), &d), "error: sensor 1 is P in psi by the source's description, P in kPa by the design\n");
+  d.sensors()[1].unit() = "kPa";
+  d.sample_time_s(0.016);  // within 10 %
+  EXPECT_EQ(found(fly(), &d), "");
+  d.sample_time_s(0.03);
+  EXPECT_EQ(found(fly(), &d), "error: sample_time_s is 0.03 by the source's description, 0.015 by the design\n");
 }
 
 }  // namespace

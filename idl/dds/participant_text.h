@@ -1,0 +1,19 @@
+#pragma once
+// A remote participant in words, as far as it announces itself: name and address.
+
+#include <fastdds/rtps/builtin/data/ParticipantProxyData.h>
+
+#include <sstream>
+#include <string>
+
+namespace ehm::wire {
+
+inline std::string participant_text(const eprosima::fastrtps::rtps::ParticipantProxyData& participant) {
+  std::ostringstream text;
+  text << "'" << participant.m_participantName.c_str() << "'";
+  const auto& addresses = participant.metatraffic_locators.unicast;
+  if (!addresses.empty()) text << " at " << addresses[0];
+  return text.str();
+}
+
+}  // namespace ehm::wire
