@@ -62,7 +62,9 @@ enum class EventKind : std::uint32_t {
   input_liveliness = 16,  ///< the writer of EngineSensors lost its liveliness
   incompatible_qos = 17,  ///< an endpoint was excluded by QoS; the message names the policy
   recording = 18,         ///< the recorder stopped or lost samples
-  security = 19           ///< somebody without permission was kept out
+  security = 19,          ///< somebody without permission was kept out
+  source_channels = 20    ///< a channel as its source describes it is not the design's: name, place or unit; channel:
+                          ///< sensor, actuators from EHM_MAX_SENSORS on; value: source_id
 };
 
 enum class SimCommandKind : std::uint32_t {

@@ -29,6 +29,7 @@ struct Conversion {
   double factor = 1.0, offset = 0.0;
 
   double operator()(double value) const noexcept { return factor * value + offset; }
+  bool operator==(const Conversion&) const = default;
   bool changes() const noexcept { return factor != 1.0 || offset != 0.0; }
   /// For differences and standard deviations.
   Conversion of_differences() const noexcept { return {factor, 0.0}; }
