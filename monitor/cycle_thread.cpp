@@ -161,8 +161,13 @@ void CycleThread::report_misfits(const EngineSlot& slot, DescribedSource& source
 }
 
 void CycleThread::report_channel(const EngineSlot& slot, const SourceChannel& channel) {
-  Report report{Report::Kind::source_channel, slot.engine_id, &slot.cycle.design(), {}, slot.sample.sequence,
-                slot.sample.source_time_ns, {}};
+  Report report{Report::Kind::source_channel,
+                slot.engine_id,
+                &slot.cycle.design(),
+                {},
+                slot.sample.sequence,
+                slot.sample.source_time_ns,
+                {}};
   report.source_channel = channel;
   reports_.push(report);
 }

@@ -70,7 +70,7 @@ class CycleThread {
   RecordFeed* records_;
   std::uint64_t unknown_engine_samples_ = 0;
   ArrivalClock arrival_;
-  bool backlog_ = false;  ///< the last turn left samples
+  bool backlog_ = false;    ///< the last turn left samples
   bool held_back_ = false;  ///< the sample last taken waits for its source's description
   std::int64_t watched_ns_ = 0;
   service::TurnCounter turns_;

@@ -73,8 +73,9 @@ class OfflineRun {
     const auto expected = recorded_channels(design);
     if (expected.actuators != recorded_channels(*engines_.designs().front()).actuators ||
         expected.sensors != recorded_channels(*engines_.designs().front()).sensors)
-      throw FileError(config_.offline.out + ": the designs " + engines_.designs().front()->hash.substr(0, 12) + " and " +
-                      design.hash.substr(0, 12) + " have different channels, a recording has one set of them");
+      throw FileError(config_.offline.out + ": the designs " + engines_.designs().front()->hash.substr(0, 12) +
+                      " and " + design.hash.substr(0, 12) +
+                      " have different channels, a recording has one set of them");
     const auto compare = [&](const char* what, const auto& have, const auto& want) {
       bool same = have.size() == want.size();
       for (std::size_t i = 0; same && i < have.size(); ++i) same = have[i].name == want[i].name;

@@ -36,9 +36,9 @@ struct Report {
   Event event;                             ///< Kind::event
   std::uint64_t sequence = 0;
   std::int64_t source_time_ns = 0;
-  MonitorStatus status;             ///< Kind::status
-  EstimateSnapshot estimates = {};  ///< Kind::status
-  Malformed malformed = {};         ///< Kind::malformed
+  MonitorStatus status;               ///< Kind::status
+  EstimateSnapshot estimates = {};    ///< Kind::status
+  Malformed malformed = {};           ///< Kind::malformed
   SourceChannel source_channel = {};  ///< Kind::source_channel
 };
 

@@ -41,14 +41,22 @@ bool any_number_with_point(const std::vector<std::string>& cells) {
                      [](const std::string& cell) { return cell.find('.') != cell.npos && parse_number(cell); });
 }
 
+/// 0 and 824: what a decimal comma makes of a number.
+bool torn_anywhere(const std::vector<std::string>& cells) {
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    if (!whole_number(cells[i - 1]).empty() && all_digits(cells[i])) return !cells.back().empty();
+  return false;
+}
+
 std::string torn_numbers(const CsvRow& row, std::size_t expected) {
   const std::string decimal_comma =
       "a decimal comma; write points, or separate the cells by semicolons and quote nothing (a column map then says "
       "separator = \"semicolon\", decimal = \"comma\")";
   const bool points = any_number_with_point(row.cells);
   if (!points && row.cells.size() > expected + 1) return decimal_comma;
+  if (!points && !thousands(row.cells) && torn_anywhere(row.cells)) return decimal_comma + ", or a cell too many";
   if (!thousands(row.cells)) return "";
-  const std::string in_thousands = "a comma for thousands; write numbers without it, or in quotes";
+  const std::string in_thousands = "a comma for thousands; write numbers without it";
   return points ? in_thousands : in_thousands + ", or " + decimal_comma;
 }
 

@@ -111,11 +111,15 @@ std::optional<double> CsvRows::number_at(const CsvRow& row, const Place& place) 
 /// Why a cell may not be the number that it looks like.
 std::string CsvRows::decimal_hint(const std::string& cell) const {
   const char decimal = map_.decimal.value_or('.'), other = decimal == ',' ? '.' : ',';
-  const auto thousands = cell.find(other);
-  if (thousands == std::string::npos) return "";
+  const auto sign = cell.find(other);
+  if (sign == std::string::npos) return "";
   std::string with_other = cell;
   std::replace(with_other.begin(), with_other.end(), decimal, 'x');
   if (!files::parse_number(with_other, other)) return "";
+  // 752,747 may be either
+  if (other == ',' && cell.size() - sign == 4 && cell[0] != '0')
+    return "; is the comma one for thousands? Write none; if it is a decimal one, the column map's [file] says "
+           "decimal = \"comma\"";
   return std::string("; the column map's [file] says decimal = \"") + (other == ',' ? "comma" : "point") +
          "\" for files written so";
 }

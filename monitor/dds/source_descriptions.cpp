@@ -43,8 +43,7 @@ void DescribedSource::fit_to(const estimation::LinearModel& m) noexcept {
   model = &m;
   fit = {};
   for (std::size_t i = 0; i < sensors_of(m); ++i) fit.sensors[i] = fit_channel(sensors[i].words(), m.sensors, i);
-  for (std::size_t i = 0; i < actuators_of(m); ++i)
-    fit.actuators[i] = fit_channel(actuators[i].words(), m.controls, i);
+  for (std::size_t i = 0; i < actuators_of(m); ++i) fit.actuators[i] = fit_channel(actuators[i].words(), m.controls, i);
 }
 
 DescribedSource* SourceDescriptions::place(const Key& key) {

@@ -153,7 +153,8 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
   }
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
     check_values("sensor", model.sensors[i].name, s.sensors[i], findings);
-    check_noise(model.sensors[i].name, s.sensors[i], fit.sensors[i], model.sensor_noise_sigma(static_cast<Eigen::Index>(i)),
+    check_noise(model.sensors[i].name, s.sensors[i], fit.sensors[i],
+                model.sensor_noise_sigma(static_cast<Eigen::Index>(i)),
                 static_cast<std::uint64_t>(options.checks.stuck_samples), findings);
   }
   if (!acting.allFinite()) return report;

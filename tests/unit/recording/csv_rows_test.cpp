@@ -143,6 +143,8 @@ TEST_F(CsvRowsTest, AnotherDecimalSignThanTheMapSaysIsNamed) {
                 "decimal = \"comma\" for files written so"));
   EXPECT_THAT(error_of("1;10668.5;0.824;390.25\n", written(Separator::semicolon, ',', false)),
               HasSubstr("says decimal = \"point\" for files written so"));
+  EXPECT_THAT(error_of("1;10,668;0;390\n", written(Separator::semicolon, {}, false)),
+              HasSubstr("column 2 is '10,668', allowed is a number (altitude_m); is the comma one for thousands?"));
 }
 
 TEST_F(CsvRowsTest, RowsThatAreAllTornApartAreNotReadAsNumbers) {
