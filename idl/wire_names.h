@@ -15,35 +15,30 @@ inline const char* level_name(std::uint32_t level) {
   return level < names.size() ? names[level] : "?";
 }
 
-/// Of EventKind, by value; "?" where there is none.
-inline constexpr auto event_kind_names = [] {
-  std::array<const char*, static_cast<std::size_t>(EventKind::unreadable_peer) + 1> names{
-      "?",
-      "sensor_fault",
-      "health_shift",
-      "health_limit",
-      "auxiliary_limit",
-      "input_lost",
-      "filter_restart",
-      "operating_point",
-      "no_design",
-      "sample_time",
-      "second_source",
-      "ambiguous_fault",
-      "slow_bias",
-      "checkpoint",
-      "configuration",
-      "input_deadline",
-      "input_liveliness",
-      "incompatible_qos",
-      "recording",
-      "security"};
-  names.back() = "unreadable_peer";
-  for (const char*& name : names)
-    if (!name) name = "?";
-  return names;
-}();
-static_assert(event_kind_names[static_cast<std::size_t>(EventKind::security)] == std::string_view("security"));
+/// Of EventKind, by value; [0] is none.
+inline constexpr std::array event_kind_names{"?",
+                                             "sensor_fault",
+                                             "health_shift",
+                                             "health_limit",
+                                             "auxiliary_limit",
+                                             "input_lost",
+                                             "filter_restart",
+                                             "operating_point",
+                                             "no_design",
+                                             "sample_time",
+                                             "second_source",
+                                             "ambiguous_fault",
+                                             "slow_bias",
+                                             "checkpoint",
+                                             "configuration",
+                                             "input_deadline",
+                                             "input_liveliness",
+                                             "incompatible_qos",
+                                             "recording",
+                                             "security",
+                                             "source_channels",
+                                             "unreadable_peer"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::unreadable_peer) + 1);
 
 inline constexpr std::array<std::pair<std::uint32_t, const char*>, 5> estimate_flag_names{
     {{estimate_flag::converging, "converging"},

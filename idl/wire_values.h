@@ -63,7 +63,9 @@ enum class EventKind : std::uint32_t {
   incompatible_qos = 17,  ///< an endpoint was excluded by QoS; the message names the policy
   recording = 18,         ///< the recorder stopped or lost samples
   security = 19,          ///< somebody without permission was kept out
-  unreadable_peer = 50    ///< a remote endpoint of our topics that can never be read, or never read us; the message
+  source_channels = 20,   ///< a channel as its source describes it is not the design's: name, place or unit; channel:
+                          ///< sensor, actuators from EHM_MAX_SENSORS on; value: source_id
+  unreadable_peer = 21    ///< a remote endpoint of our topics that can never be read, or never read us; the message
                           ///< names participant, topic and reason (raised 0: all that were named are gone)
 };
 

@@ -40,12 +40,14 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
       records_(records),
       sensors_(participant),
       commands_(participant),
+      descriptions_(participant),
       health_(participant),
       auxiliary_(participant),
       residuals_(participant) {
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(commands_.condition());
-  triggered_.reserve(2);
+  wait_set_.attach_condition(descriptions_.condition());
+  triggered_.reserve(3);
   if (participant.options().redundancy.exclusive) peers_ = std::make_unique<PeerWatch>(participant, source_id_);
 }
 
@@ -56,6 +58,7 @@ void CycleThread::run_once() {
   arrival_.wake_up();
   if (peers_) peers_->awake(monotonic_ns());
   exchange_table();
+  hear_descriptions();
   take_samples();
   MonitorCommand command;
   while (commands_.take(command)) obey(command);
@@ -66,13 +69,39 @@ void CycleThread::run_once() {
   turns_.turned();
 }
 
+/// What was estimated before its source said in which units the values are has to be forgotten.
+void CycleThread::hear_descriptions() {
+  descriptions_.take([&](std::uint32_t engine_id, std::uint32_t source_id, DescribedSource& source) {
+    EngineSlot* slot = engines_->find(engine_id, false);
+    if (!slot || slot->cycle.counters().received == 0 || slot->sample.source_id != source_id) return;
+    const SourceFit before = source.fit;
+    source.fit_to(slot->cycle.design().model);
+    report_misfits(*slot, source);
+    if (source.fit == before) return;
+    slot->cycle.reset();
+    if (records_) records_->marker(*slot, recording::RowKind::reset);
+    report_events(*slot);
+  });
+}
+
 void CycleThread::take_samples() {
   int taken = 0;
-  while (taken < most_samples_a_turn && sensors_.take(incoming_)) {
+  while (taken < most_samples_a_turn && (held_back_ || sensors_.take(incoming_))) {
+    held_back_ = awaits_description();
+    if (held_back_) break;
     handle(incoming_, arrival_.monotonic_of(sensors_.received_ns()));
     ++taken;
   }
   backlog_ = taken == most_samples_a_turn;
+}
+
+/// Only the first sample of an engine, or of another source or writer than before, may have to wait.
+bool CycleThread::awaits_description() {
+  const EngineSlot* slot = engines_->find(incoming_.engine_id(), false);
+  if (slot && slot->cycle.counters().received > 0 && slot->sample.source_id == incoming_.source_id() &&
+      slot->sample.writer == sensors_.writer())
+    return false;
+  return descriptions_.awaited(incoming_.engine_id(), incoming_.source_id(), sensors_.participant(), monotonic_ns());
 }
 
 void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
@@ -86,6 +115,7 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
   }
   convert(sensors, slot->sample);
   slot->sample.writer = sensors_.writer();
+  fit_source(*slot);
   const std::uint64_t malformed = slot->cycle.counters().malformed;
   if (slot->cycle.counters().received == 0) first_sample(*slot);
   const bool accepted = slot->cycle.estimate(slot->sample);
@@ -97,6 +127,49 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
   if (records_) records_->sample(*slot, accepted);
   report_events(*slot);
   if (slot->cycle.counters().malformed != malformed) report_malformed(*slot);
+}
+
+/// The slot's sample in the design's units.
+void CycleThread::fit_source(EngineSlot& slot) {
+  DescribedSource* source = descriptions_.find(slot.engine_id, slot.sample.source_id);
+  if (!source) return;
+  if (const auto& model = slot.cycle.design().model; source->model != &model) {
+    source->fit_to(model);
+    report_misfits(slot, *source);
+  }
+  source->fit.apply(slot.sample);
+}
+
+void CycleThread::report_misfits(const EngineSlot& slot, DescribedSource& source) {
+  SourceChannel first_converted{slot.sample.source_id, 0, Misfit::none, false, 0, {}};
+  const auto judge = [&](std::size_t channel, const ChannelFit& fit, const DescribedChannel& said) {
+    const std::uint32_t bit = 1u << channel;
+    const bool misfits = fit.misfit != Misfit::none;
+    if (fit.used() && fit.conversion.changes() && first_converted.converted++ == 0) {
+      first_converted.channel = static_cast<std::uint32_t>(channel);
+      first_converted.said = said;
+    }
+    if (misfits == ((source.told & bit) != 0)) return;
+    source.told ^= bit;
+    report_channel(slot, {slot.sample.source_id, static_cast<std::uint32_t>(channel), fit.misfit, misfits, 0, said});
+  };
+  const auto& model = slot.cycle.design().model;
+  for (std::size_t i = 0; i < source.sensors_of(model); ++i) judge(i, source.fit.sensors[i], source.sensors[i]);
+  for (std::size_t i = 0; i < source.actuators_of(model); ++i)
+    judge(estimation::max_sensors + i, source.fit.actuators[i], source.actuators[i]);
+  if (first_converted.converted > 0) report_channel(slot, first_converted);
+}
+
+void CycleThread::report_channel(const EngineSlot& slot, const SourceChannel& channel) {
+  Report report{Report::Kind::source_channel,
+                slot.engine_id,
+                &slot.cycle.design(),
+                {},
+                slot.sample.sequence,
+                slot.sample.source_time_ns,
+                {}};
+  report.source_channel = channel;
+  reports_.push(report);
 }
 
 void CycleThread::first_sample(EngineSlot& slot) {
@@ -238,6 +311,7 @@ void CycleThread::exchange_table() {
   });
   exchange_.retired.store(engines_, std::memory_order_release);
   engines_ = next;
+  descriptions_.forget_models();
 }
 
 /// In the middle of the pause between two samples, when every monitor has written its estimate of the last one; or the

@@ -9,6 +9,7 @@
 #include "deploy/service/watchdog.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
+#include "monitor/dds/source_descriptions.h"
 #include "monitor/engine_table.h"
 #include "monitor/realtime/arrival_clock.h"
 #include "monitor/record/record_feed.h"
@@ -33,8 +34,13 @@ class CycleThread {
   const service::TurnCounter& turns() const { return turns_; }
 
  private:
+  void hear_descriptions();
   void take_samples();
+  bool awaits_description();
   void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
+  void fit_source(EngineSlot& slot);
+  void report_misfits(const EngineSlot& slot, DescribedSource& source);
+  void report_channel(const EngineSlot& slot, const SourceChannel& channel);
   void publish(EngineSlot& slot, std::int64_t arrival_ns);
   /// False if this monitor must not write now.
   template <class T>
@@ -64,12 +70,14 @@ class CycleThread {
   RecordFeed* records_;
   std::uint64_t unknown_engine_samples_ = 0;
   ArrivalClock arrival_;
-  bool backlog_ = false;  ///< the last turn left samples
+  bool backlog_ = false;    ///< the last turn left samples
+  bool held_back_ = false;  ///< the sample last taken waits for its source's description
   std::int64_t watched_ns_ = 0;
   service::TurnCounter turns_;
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;
+  SourceDescriptions descriptions_;
   RankedWriter<EngineHealth> health_;
   RankedWriter<EngineAuxiliary> auxiliary_;
   RankedWriter<EngineResiduals> residuals_;

@@ -12,6 +12,7 @@
 #include "deploy/recording/writer.h"
 #include "deploy/service/stop_signal.h"
 #include "monitor/checks/sample_time_watch.h"
+#include "monitor/checks/source_fit.h"
 #include "monitor/dds/event_text.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/record/record_row.h"
@@ -83,9 +84,14 @@ class OfflineRun {
                     config_.offline.column_map, stated_s, design.hash, needed_s, 100.0 * SampleTimeWatch::tolerance));
   }
 
-  /// Names decide, not units: a column map converts the units.
-  void require_channels(const design::Design& design) const {
+  /// Names must be the design's, in its order; units may be others that convert.
+  void require_channels(const design::Design& design) {
     const auto expected = recorded_channels(design);
+    if (expected.actuators != recorded_channels(*engines_.designs().front()).actuators ||
+        expected.sensors != recorded_channels(*engines_.designs().front()).sensors)
+      throw FileError(config_.offline.out + ": the designs " + engines_.designs().front()->hash.substr(0, 12) +
+                      " and " + design.hash.substr(0, 12) +
+                      " have different channels, a recording has one set of them");
     const auto compare = [&](const char* what, const auto& have, const auto& want) {
       bool same = have.size() == want.size();
       for (std::size_t i = 0; same && i < have.size(); ++i) same = have[i].name == want[i].name;
@@ -93,8 +99,25 @@ class OfflineRun {
         throw FileError(config_.offline.file + ": has the " + what + " " + list(have) + ", the design needs " +
                         list(want));
     };
-    compare("actuators", rows_->info().channels.actuators, expected.actuators);
-    compare("sensors", rows_->info().channels.sensors, expected.sensors);
+    const auto& channels = rows_->info().channels;
+    compare("actuators", channels.actuators, expected.actuators);
+    compare("sensors", channels.sensors, expected.sensors);
+    fit("actuator", channels.actuators, design.model.controls, fit_.actuators);
+    fit("sensor", channels.sensors, design.model.sensors, fit_.sensors);
+  }
+
+  template <class Fits>
+  void fit(const char* what, const std::vector<recording::Channel>& have, const std::vector<estimation::Channel>& want,
+           Fits& fits) const {
+    for (std::size_t i = 0; i < have.size(); ++i) {
+      fits[i] = fit_channel({have[i].name, have[i].unit}, want, i);
+      if (!fits[i].used())
+        throw FileError((config_.offline.column_map.empty() ? config_.offline.file : config_.offline.column_map) +
+                        ": " + what + " " + have[i].name + " is in '" + have[i].unit + "', the design has it in '" +
+                        want[i].unit + "', which cannot be converted: " + units::why_not(have[i].unit, want[i].unit));
+      if (fits[i].conversion.changes())
+        spdlog::info("{} {} is converted from {} to the design's {}", what, have[i].name, have[i].unit, want[i].unit);
+    }
   }
 
   static std::string list(const std::vector<recording::Channel>& channels) {
@@ -116,6 +139,7 @@ class OfflineRun {
     Row result;
     if (row.kind() == RowKind::sample) {
       sample_of(row, slot.sample);
+      fit_.apply(slot.sample);
       fill_row(slot, slot.cycle.process(slot.sample), result);
       ++samples_;
       estimates_ += result.a.estimates != 0 && result.a.accepted != 0 ? 1 : 0;
@@ -174,6 +198,7 @@ class OfflineRun {
   EngineTable& engines_;
   std::unique_ptr<recording::RowSource> rows_;
   std::optional<recording::Writer> writer_;
+  SourceFit fit_;  ///< of the file's channels, to the designs'
   Comparison comparison_;
   std::uint64_t samples_ = 0, estimates_ = 0;
   std::int64_t lost_ = 0;

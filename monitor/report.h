@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine_health.h"
+#include "monitor/checks/source_fit.h"
 #include "monitor/design/design.h"
 #include "monitor/estimate_snapshot.h"
 #include "monitor/judge/events.h"
@@ -17,17 +18,28 @@ struct Malformed {
   std::uint64_t so_far = 0;  ///< of this engine
 };
 
+/// A channel as its source describes it, where that is not as the design's.
+struct SourceChannel {
+  std::uint32_t source_id = 0;
+  std::uint32_t channel = 0;  ///< sensor, or EHM_MAX_SENSORS + actuator
+  Misfit misfit = Misfit::none;
+  bool raised = false;
+  std::uint32_t converted = 0;  ///< so many channels of the source are converted, this one first; then no event
+  DescribedChannel said;
+};
+
 struct Report {
-  enum class Kind { event, status, new_engine, unknown_engine, malformed };
+  enum class Kind { event, status, new_engine, unknown_engine, malformed, source_channel };
   Kind kind = Kind::event;
   std::uint32_t engine_id = 0;
   const design::Design* design = nullptr;  ///< lives as long as the engine table
   Event event;                             ///< Kind::event
   std::uint64_t sequence = 0;
   std::int64_t source_time_ns = 0;
-  MonitorStatus status;             ///< Kind::status
-  EstimateSnapshot estimates = {};  ///< Kind::status
-  Malformed malformed = {};         ///< Kind::malformed
+  MonitorStatus status;               ///< Kind::status
+  EstimateSnapshot estimates = {};    ///< Kind::status
+  Malformed malformed = {};           ///< Kind::malformed
+  SourceChannel source_channel = {};  ///< Kind::source_channel
 };
 
 /// Room for several reports of each of a thousand engines between two turns of the reporter.

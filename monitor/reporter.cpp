@@ -1,5 +1,6 @@
 #include "monitor/reporter.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <chrono>
@@ -8,6 +9,7 @@
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/dds/event_text.h"
+#include "monitor/dds/misfit_text.h"
 #include "monitor/dds/printable.h"
 #include "monitor/realtime/clock.h"
 
@@ -81,6 +83,9 @@ bool Reporter::report_next() {
     case Report::Kind::malformed:
       say_malformed(report);
       break;
+    case Report::Kind::source_channel:
+      report_source_channel(report);
+      break;
     case Report::Kind::new_engine:
       report_new_engine(report);
       break;
@@ -116,6 +121,37 @@ void Reporter::report_event(const Report& report) {
   wire_event.channel_name() = channel_name(event, report.design->model).c_str();
   wire_event.message() = text.c_str();
   publish(wire_event);
+}
+
+void Reporter::report_source_channel(const Report& report) {
+  const SourceChannel& c = report.source_channel;
+  const auto& model = report.design->model;
+  const bool sensor = c.channel < EHM_MAX_SENSORS;
+  const auto& channels = sensor ? model.sensors : model.controls;
+  const std::size_t i = sensor ? c.channel : c.channel - EHM_MAX_SENSORS;
+  const ChannelWords said = c.said.words();
+  if (c.converted > 0) {
+    spdlog::info("engine {}: {} channels of source {} are converted to the design's units, the first {} from {} to {}",
+                 report.engine_id, c.converted, c.source_id, channels.at(i).name, printable(std::string(said.unit)),
+                 channels.at(i).unit);
+    return;
+  }
+  const char* what = sensor ? "sensor" : "actuator";
+  HealthEvent event;
+  event.engine_id(report.engine_id);
+  event.kind(static_cast<std::uint32_t>(wire::EventKind::source_channels));
+  event.channel(c.channel);
+  event.raised(c.raised ? 1 : 0);
+  event.sequence_number(report.sequence);
+  event.source_time_ns(report.source_time_ns);
+  event.value(static_cast<double>(c.source_id));
+  event.channel_name() = channels.at(i).name.c_str();
+  const std::string text =
+      c.raised ? misfit_text(what, i, said, "source " + std::to_string(c.source_id), channels, c.misfit) +
+                     (c.misfit == Misfit::name ? "; it is used" : "; it is not used")
+               : fmt::format("{} {} of source {} fits the design", what, channels.at(i).name, c.source_id);
+  event.message() = printable(text).c_str();
+  publish(event);
 }
 
 void Reporter::report_notices() {

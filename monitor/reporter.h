@@ -32,6 +32,7 @@ class Reporter {
   bool report_next();
   void report_new_engine(const Report& report);
   void report_event(const Report& report);
+  void report_source_channel(const Report& report);
   void report_notices();
   void report_status(MonitorStatus& status);
   void report_overflow();

@@ -3,56 +3,56 @@
 #include <csv.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iostream>
 #include <iterator>
 #include <new>
-#include <sstream>
 
 #include "deploy/files/file_error.h"
+#include "deploy/files/table_text.h"
 
 namespace ehm::files {
 namespace {
 
+char letter(Separator separator) {
+  return separator == Separator::semicolon ? ';' : separator == Separator::tab ? '\t' : ',';
+}
+
 /// libcsv, one line at a time, so that every cell has the number of its line.
 class LineParser {
  public:
-  LineParser() {
+  explicit LineParser(Separator separator) {
     if (csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
+    csv_set_delim(&parser_, static_cast<unsigned char>(letter(separator)));
   }
   ~LineParser() { csv_free(&parser_); }
   LineParser(const LineParser&) = delete;
   LineParser& operator=(const LineParser&) = delete;
 
-  /// Cells of the line, none if it is blank. @throws FileError
-  std::vector<std::string> parse(const std::string& line, const std::string& place) {
-    Record record;
-    const std::size_t done = csv_parse(&parser_, line.data(), line.size(), on_cell, on_end, &record);
-    if (done != line.size() || csv_fini(&parser_, on_cell, on_end, &record) != 0)
-      throw FileError(place + ": quotes do not match: " + in_quotes(line));
-    if (record.ends > 1) throw FileError(place + ": carriage return within the line: " + in_quotes(line));
-    return std::move(record.cells);
+  /// Cells of the line, none if it is blank. False where quotes do not match.
+  bool parse(std::string_view line, std::vector<std::string>& cells) {
+    return csv_parse(&parser_, line.data(), line.size(), on_cell, on_end, &cells) == line.size() &&
+           csv_fini(&parser_, on_cell, on_end, &cells) == 0;
   }
 
  private:
-  struct Record {
-    std::vector<std::string> cells;
-    int ends = 0;
-  };
-  static void on_cell(void* text, std::size_t length, void* record) {
-    static_cast<Record*>(record)->cells.emplace_back(static_cast<const char*>(text), length);
+  static void on_cell(void* text, std::size_t length, void* cells) {
+    static_cast<std::vector<std::string>*>(cells)->emplace_back(static_cast<const char*>(text), length);
   }
-  static void on_end(int, void* record) { ++static_cast<Record*>(record)->ends; }
+  static void on_end(int, void*) {}
 
   csv_parser parser_;
 };
 
-void skip_byte_order_mark(std::string& line) {
-  if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+std::vector<std::string> blank_separated(std::string_view line) {
+  constexpr std::string_view blanks = " \t\f\v";
+  std::vector<std::string> cells;
+  for (std::size_t end = 0; (end = line.find_first_not_of(blanks, end)) != line.npos;) {
+    const std::size_t begin = end;
+    end = std::min(line.find_first_of(blanks, begin), line.size());
+    cells.emplace_back(line.substr(begin, end - begin));
+  }
+  return cells;
 }
 
 void require_distinct(const CsvTable& table) {
@@ -63,42 +63,24 @@ void require_distinct(const CsvTable& table) {
   }
 }
 
-std::vector<CsvRow> parse_records(std::istream& in, const std::string& file) {
-  std::vector<CsvRow> records;
-  LineParser parser;
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    if (++number == 1) skip_byte_order_mark(line);
-    CsvRow row{number, parser.parse(line, file + ":" + std::to_string(number))};
-    if (!row.cells.empty()) records.push_back(std::move(row));
+ReadRows read_rows(const std::string& path, const TableFormat& format) {
+  const std::string text = read_text(path);
+  ReadRows table{path == "-" ? "standard input" : path, format, {}, false};
+  TableLines lines(text, table.file);
+  LineParser parser(format.separator);
+  for (std::string_view line; lines.next(line);) {
+    CsvRow row{lines.number(), {}};
+    if (format.separator == Separator::blank)
+      row.cells = blank_separated(line);
+    else if (!parser.parse(line, row.cells))
+      throw FileError(table.file + ":" + std::to_string(row.line) + ": quotes do not match: " + in_quotes(line) +
+                      (lines.open_end() ? "; the file ends within this line: was it cut off?" : ""));
+    if (row.cells.empty()) continue;
+    table.ends_in_a_cell = lines.open_end() && line.find_last_of("\" \t") != line.size() - 1;
+    table.rows.push_back(std::move(row));
   }
-  if (in.bad()) throw FileError(file + ": cannot be read: " + std::strerror(errno));
-  return records;
-}
-
-CsvTable parse_table(std::istream& in, const std::string& file) {
-  std::vector<CsvRow> records = parse_records(in, file);
-  if (records.empty()) throw FileError(file + ": is empty; its first line is to name the columns");
-  CsvTable table{file, std::move(records.front()), {}};
-  require_distinct(table);
-  records.erase(records.begin());
-  table.rows = std::move(records);
-  if (table.rows.empty()) throw FileError(file + ": has no row below its header");
-  for (const CsvRow& row : table.rows) {
-    if (row.cells.size() != table.header.cells.size())
-      throw FileError(table.place(row) + ": " + std::to_string(row.cells.size()) + " cells, allowed is " +
-                      std::to_string(table.header.cells.size()) + ", as many as the header has");
-  }
+  require_whole(table);
   return table;
-}
-
-std::ifstream open_to_read(const std::string& path) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  // peek() finds out what opening does not tell: a folder opens, but cannot be read
-  if (!in || (in.peek(), in.bad())) throw FileError(path + ": cannot be read: " + std::strerror(errno));
-  in.clear();
-  return in;
 }
 
 }  // namespace
@@ -109,32 +91,28 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
   return static_cast<std::size_t>(found - header.cells.begin());
 }
 
-CsvTable read_csv(const std::string& path) {
-  if (path == "-") return parse_table(std::cin, "standard input");
-  std::ifstream in = open_to_read(path);
-  return parse_table(in, path);
+CsvTable read_csv(const std::string& path, bool columns_alike) {
+  ReadRows read = read_rows(path, {Separator::comma, true, false, columns_alike});
+  if (read.rows.empty()) throw FileError(read.file + ": is empty; its first line is to name the columns");
+  CsvTable table{read.file, std::move(read.rows.front()), {}};
+  require_distinct(table);
+  table.rows.assign(std::make_move_iterator(read.rows.begin() + 1), std::make_move_iterator(read.rows.end()));
+  if (table.rows.empty()) throw FileError(table.file + ": has no row below its header");
+  return table;
 }
 
-std::vector<CsvRow> read_csv_records(const std::string& path) {
-  std::ifstream in = open_to_read(path);
-  return parse_records(in, path);
+std::vector<CsvRow> read_records(const std::string& path, const TableFormat& format) {
+  return read_rows(path, format).rows;
 }
 
-std::vector<CsvRow> read_blank_records(const std::string& path) {
-  std::ifstream in = open_to_read(path);
-  std::vector<CsvRow> records;
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    if (++number == 1) skip_byte_order_mark(line);
-    std::istringstream cells(line);
-    CsvRow row{number, {std::istream_iterator<std::string>(cells), {}}};
-    if (!row.cells.empty()) records.push_back(std::move(row));
+std::optional<double> parse_number(std::string_view text, char decimal) {
+  if (decimal != '.') {
+    // A point beside decimal commas would be one for thousands, or a mistake.
+    if (text.find('.') != text.npos) return std::nullopt;
+    std::string with_point(text);
+    std::replace(with_point.begin(), with_point.end(), decimal, '.');
+    return parse_number(with_point);
   }
-  if (in.bad()) throw FileError(path + ": cannot be read: " + std::strerror(errno));
-  return records;
-}
-
-std::optional<double> parse_number(std::string_view text) {
   // from_chars knows no plus sign, which people write before temperature offsets
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double number = 0.0;

@@ -1,10 +1,12 @@
 #include "deploy/recording/column_map.h"
 
 #include <algorithm>
+#include <map>
 
 #include "deploy/config/schema.h"
 #include "deploy/config/table_reader.h"
 #include "deploy/recording/row.h"
+#include "deploy/units/units.h"
 
 namespace ehm::recording {
 
@@ -21,9 +23,19 @@ Column read_column(TableReader& table, const std::string& key, bool header) {
   return static_cast<std::size_t>(table.integer(key, 1, last_column));
 }
 
+files::Separator read_separator(TableReader& table) {
+  using files::Separator;
+  const std::map<std::string, Separator> known{{"comma", Separator::comma},
+                                               {"semicolon", Separator::semicolon},
+                                               {"tab", Separator::tab},
+                                               {"blank", Separator::blank}};
+  return known.at(table.choice("separator", {"comma", "semicolon", "tab", "blank"}));
+}
+
 void read_file_table(TableReader& table, ColumnMap& map) {
-  map.blank_separated = table.choice("separator", {"comma", "blank"}) == "blank";
+  map.separator = read_separator(table);
   map.header = table.flag("header");
+  if (table.has("decimal")) map.decimal = table.choice("decimal", {"point", "comma"}) == "comma" ? ',' : '.';
   map.engine_id_constant = table.has("engine_id");
   if (map.engine_id_constant)
     map.engine_id = static_cast<std::uint32_t>(table.integer("engine_id", 1, 4294967295));
@@ -76,6 +88,23 @@ std::vector<MappedChannel> read_channels(const std::string& file, const toml::ta
   return channels;
 }
 
+/// A flight channel in the unit that its name says: what the file has, converted.
+void convert_flight(const std::string& file, MappedChannel& channel, const char* unit, bool difference) {
+  if (channel.unit.empty()) {
+    channel.unit = unit;
+    return;
+  }
+  const auto conversion = units::conversion(channel.unit, unit);
+  if (!conversion)
+    throw ConfigError(file + ": [[flight]] '" + channel.name + "' has the unit '" + channel.unit + "', needed is '" +
+                      unit + "' or one that converts to it: " + units::why_not(channel.unit, unit));
+  const units::Conversion use = difference ? conversion->of_differences() : *conversion;
+  channel.factor *= use.factor;
+  channel.offset = use(channel.offset);
+  channel.value = use(channel.value);
+  channel.unit = unit;
+}
+
 /// In the order of the wire, whatever the file's order.
 void order_flight(const std::string& file, std::vector<MappedChannel>& flight) {
   std::vector<MappedChannel> ordered;
@@ -89,6 +118,9 @@ void order_flight(const std::string& file, std::vector<MappedChannel>& flight) {
     throw ConfigError(file + ": [[flight]] has " + std::to_string(flight.size()) +
                       " tables, allowed are altitude_m, mach, delta_isa_k");
   flight = std::move(ordered);
+  convert_flight(file, flight[0], "m", false);
+  convert_flight(file, flight[1], "-", false);
+  convert_flight(file, flight[2], "K", true);  // a difference of temperatures
 }
 
 }  // namespace

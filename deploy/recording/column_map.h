@@ -1,20 +1,28 @@
 #pragma once
 // Which column of a CSV file is which channel: a TOML file. Columns count from 1, or are named where there is a header.
 //
-//   [file]      separator = "comma" or "blank", header = true or false,
+//   [file]      separator = "comma", "semicolon", "tab" or "blank", header = true or false,
+//               decimal = "point" (default) or "comma",
 //               engine_id_column or engine_id, and either sample_time_s or time_column with seconds_per_unit
 //   [[flight]]  [[actuator]]  [[sensor]]   name, and either column with factor and offset, or value
 //
 //   value in the channel's unit = factor * cell + offset
+//
+// The channel's unit is the one that the map gives it; without one it is the design's, of a flight channel that of its
+// name. Where the design has another unit, whoever feeds the design converts (deploy/units); flight channels are
+// converted here, so that they leave in the units of their names.
 //
 // The three flight channels must all be there; actuators and sensors stand in the order of the design.
 //
 // @throws config::ConfigError with file, line, key, value, allowed range.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "deploy/files/table_check.h"
 
 namespace ehm::recording {
 
@@ -29,7 +37,9 @@ struct MappedChannel {
 };
 
 struct ColumnMap {
-  bool blank_separated = false, header = false;
+  files::Separator separator = files::Separator::comma;
+  bool header = false;
+  std::optional<char> decimal;  ///< point or comma, where the map says which
   bool engine_id_constant = false;
   std::uint32_t engine_id = 1;  ///< if constant
   Column engine_id_column = std::size_t{1};

@@ -35,11 +35,30 @@ CsvRows::CsvRows(const std::string& file, ColumnMap map) : file_(file), map_(std
     channels_.insert(channels_.end(), group->begin(), group->end());
 
   const std::vector<CsvRow> records =
-      map_.blank_separated ? files::read_blank_records(file) : files::read_csv_records(file);
+      files::read_records(file, {map_.separator, map_.header, map_.decimal == ',', true});
   const std::size_t first = map_.header ? 1 : 0;
   if (records.size() <= first) throw FileError(file + ": has no row" + (map_.header ? " below its header" : ""));
+  if (map_.header) require_names(records.front());
   find_columns(map_.header ? &records.front() : nullptr);
+  require_cells(records.front());
   for (std::size_t i = first; i < records.size(); ++i) parse(records[i]);
+}
+
+void CsvRows::require_names(const CsvRow& header) const {
+  const auto is_number = [](const std::string& cell) { return files::parse_number(cell).has_value(); };
+  if (std::all_of(header.cells.begin(), header.cells.end(), is_number))
+    throw FileError(file_ + ":" + std::to_string(header.line) +
+                    ": the header holds numbers only; if the file has none, the column map needs header = false");
+}
+
+void CsvRows::require_cells(const CsvRow& row) const {
+  if (row.cells.size() >= needed_cells_) return;
+  std::string hint;
+  for (const auto& [letter, name] : {std::pair{';', "semicolon"}, {',', "comma"}, {'\t', "tab"}, {' ', "blank"}})
+    if (hint.empty() && row.cells.size() == 1 && row.cells.front().find(letter) != std::string::npos)
+      hint = std::string("; is the separator \"") + name + "\"?";
+  throw FileError(file_ + ":" + std::to_string(row.line) + ": " + std::to_string(row.cells.size()) +
+                  " cells, the column map needs " + std::to_string(needed_cells_) + hint);
 }
 
 CsvRows::Place CsvRows::find(const Column& column, const CsvRow* header) const {
@@ -48,6 +67,9 @@ CsvRows::Place CsvRows::find(const Column& column, const CsvRow* header) const {
   const auto found = std::find(header->cells.begin(), header->cells.end(), name);
   if (found == header->cells.end())
     throw FileError(file_ + ":" + std::to_string(header->line) + ": the header has no column '" + name + "'");
+  if (std::find(found + 1, header->cells.end(), name) != header->cells.end())
+    throw FileError(file_ + ":" + std::to_string(header->line) + ": column '" + name +
+                    "' appears twice; name the columns apart, or map them by number");
   return {static_cast<std::size_t>(found - header->cells.begin()), "column '" + name + "'"};
 }
 
@@ -68,9 +90,6 @@ void CsvRows::refuse(const CsvRow& row, const Place& place, const std::string& a
 }
 
 void CsvRows::parse(const CsvRow& row) {
-  if (row.cells.size() < needed_cells_)
-    throw FileError(file_ + ":" + std::to_string(row.line) + ": " + std::to_string(row.cells.size()) +
-                    " cells, the column map needs " + std::to_string(needed_cells_));
   const std::uint32_t engine = parse_engine(row);
   const std::uint64_t sequence = rows_of_[engine]++;
   parsed_.push_back({engine, sequence, parse_time(row, engine, sequence)});
@@ -79,9 +98,35 @@ void CsvRows::parse(const CsvRow& row) {
     values_.push_back(parse_value(row, channels_[i], places_[i], i >= first_sensor));
 }
 
+std::optional<double> CsvRows::number_at(const CsvRow& row, const Place& place) const {
+  const auto number = files::parse_number(row.cells[place.index], map_.decimal.value_or('.'));
+  if (!number || map_.header || map_.decimal || map_.separator != files::Separator::comma) return number;
+  if (files::is_torn_off(row, place.index))
+    refuse(row, place,
+           "a number without leading zeros; is it torn off the column before by a decimal comma, or a comma for "
+           "thousands? If not, the column map's [file] may say decimal = \"point\"");
+  return number;
+}
+
+/// Why a cell may not be the number that it looks like.
+std::string CsvRows::decimal_hint(const std::string& cell) const {
+  const char decimal = map_.decimal.value_or('.'), other = decimal == ',' ? '.' : ',';
+  const auto sign = cell.find(other);
+  if (sign == std::string::npos) return "";
+  std::string with_other = cell;
+  std::replace(with_other.begin(), with_other.end(), decimal, 'x');
+  if (!files::parse_number(with_other, other)) return "";
+  // 752,747 may be either
+  if (other == ',' && cell.size() - sign == 4 && cell[0] != '0')
+    return "; is the comma one for thousands? Write none; if it is a decimal one, the column map's [file] says "
+           "decimal = \"comma\"";
+  return std::string("; the column map's [file] says decimal = \"") + (other == ',' ? "comma" : "point") +
+         "\" for files written so";
+}
+
 std::uint32_t CsvRows::parse_engine(const CsvRow& row) const {
   if (map_.engine_id_constant) return map_.engine_id;
-  const auto number = files::parse_number(row.cells[engine_column_.index]);
+  const auto number = files::parse_number(row.cells[engine_column_.index], map_.decimal.value_or('.'));
   if (!number || *number < 1 || *number > 4294967295.0 || *number != std::floor(*number))
     refuse(row, engine_column_, "an engine id: a whole number from 1 to 4294967295");
   return static_cast<std::uint32_t>(*number);
@@ -89,9 +134,9 @@ std::uint32_t CsvRows::parse_engine(const CsvRow& row) const {
 
 std::int64_t CsvRows::parse_time(const CsvRow& row, std::uint32_t engine, std::uint64_t sequence) {
   if (map_.equidistant) return std::llround(1e9 * map_.sample_time_s * static_cast<double>(sequence));
-  const auto number = files::parse_number(row.cells[time_column_.index]);
+  const auto number = number_at(row, time_column_);
   if (!number || std::abs(*number * map_.seconds_per_unit) > largest_time_s)
-    refuse(row, time_column_, "a time within 9e9 s");
+    refuse(row, time_column_, "a time within 9e9 s" + decimal_hint(row.cells[time_column_.index]));
   const std::int64_t time_ns = std::llround(1e9 * map_.seconds_per_unit * *number);
   const auto last = last_time_ns_.find(engine);
   if (last != last_time_ns_.end() && time_ns <= last->second)
@@ -104,9 +149,11 @@ double CsvRows::parse_value(const CsvRow& row, const MappedChannel& channel, con
   if (channel.constant) return channel.value;
   const std::string& cell = row.cells[place.index];
   if (may_miss && says_missing(cell)) return no_value;
-  const auto number = files::parse_number(cell);
+  const auto number = number_at(row, place);
   if (!number)
-    refuse(row, place, may_miss ? "a number, or nan for a missing value" : "a number (" + channel.name + ")");
+    refuse(
+        row, place,
+        (may_miss ? "a number, or nan for a missing value" : "a number (" + channel.name + ")") + decimal_hint(cell));
   return channel.factor * *number + channel.offset;
 }
 

@@ -3,7 +3,8 @@
 // stops a run before it starts.
 //
 // Each engine's rows are numbered from 0; time starts where the file's does (1970 for equidistant rows). An empty cell
-// or "nan" of a sensor is a missing value: its validity bit is off. Everywhere else a number must stand.
+// or "nan" of a sensor is a missing value: its validity bit is off. Everywhere else a number must stand. Sensors and
+// actuators leave in the units that the map declares, flight channels in those of their names.
 //
 // @throws files::FileError naming file, line, column, value and what is allowed.
 
@@ -35,7 +36,11 @@ class CsvRows : public RowSource {
     std::int64_t time_ns;
   };
   Place find(const Column& column, const files::CsvRow* header) const;
+  void require_names(const files::CsvRow& header) const;
+  void require_cells(const files::CsvRow& row) const;
   void find_columns(const files::CsvRow* header);
+  std::optional<double> number_at(const files::CsvRow& row, const Place& place) const;
+  std::string decimal_hint(const std::string& cell) const;
   void parse(const files::CsvRow& row);
   std::uint32_t parse_engine(const files::CsvRow& row) const;
   std::int64_t parse_time(const files::CsvRow& row, std::uint32_t engine, std::uint64_t sequence);

@@ -4,7 +4,10 @@
 // Real-time safe: write and take allocate nothing of ours; what the middleware does in them is measured (DESIGN.md).
 // Both must be destroyed before their Participant.
 
+#include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <vector>
 
 #include "idl/dds/guarded_type.h"
 #include "idl/dds/participant.h"
@@ -109,6 +112,13 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   std::int64_t received_ns() const { return info_.reception_timestamp.to_ns(); }
   /// A number that tells the writer of the sample last taken from others; not 0.
   std::uint64_t writer() const { return writer_number(info_.publication_handle); }
+  /// A number that tells the participant of that writer from others.
+  std::uint64_t participant() const { return participant_number(info_.publication_handle); }
+  /// Is a writer of that participant matched? Takes a lock: for rare questions.
+  bool hears(std::uint64_t participant) const {
+    const std::lock_guard lock(mutex_);
+    return std::find(heard_.begin(), heard_.end(), participant) != heard_.end();
+  }
   /// Was the sample last taken written by the reader's own participant?
   bool from_this_participant() const {
     const auto& ours = reader_->guid().guidPrefix;
@@ -124,6 +134,13 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   void on_subscription_matched(eprosima::fastdds::dds::DataReader*,
                                const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override {
     matched_.store(status.current_count, std::memory_order_release);
+    const std::uint64_t participant = participant_number(status.last_publication_handle);
+    const std::lock_guard lock(mutex_);
+    const auto known = std::find(heard_.begin(), heard_.end(), participant);
+    if (status.current_count_change > 0)
+      heard_.push_back(participant);
+    else if (known != heard_.end())
+      heard_.erase(known);
   }
   void on_requested_incompatible_qos(eprosima::fastdds::dds::DataReader*,
                                      const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override {
@@ -145,6 +162,8 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   eprosima::fastdds::dds::DataReader* reader_ = nullptr;
   eprosima::fastdds::dds::SampleInfo info_;
   std::atomic<int> matched_{0};
+  mutable std::mutex mutex_;
+  std::vector<std::uint64_t> heard_;  ///< participants of the matched writers, once a writer
 };
 
 }  // namespace ehm::wire

@@ -82,11 +82,23 @@ std::uint32_t engine_id_of(const eprosima::fastrtps::rtps::InstanceHandle_t& ins
   return id;
 }
 
-std::uint64_t writer_number(const eprosima::fastrtps::rtps::InstanceHandle_t& publication) {
-  // FNV-1a over the writer's 16 byte GUID.
+namespace {
+
+/// FNV-1a over the first bytes of a GUID: 12 of the participant, 4 of the writer.
+std::uint64_t number_of(const eprosima::fastrtps::rtps::InstanceHandle_t& publication, std::size_t bytes) {
   std::uint64_t number = 0xcbf29ce484222325u;
-  for (std::size_t i = 0; i < 16; ++i) number = (number ^ publication.value[i]) * 0x100000001b3u;
+  for (std::size_t i = 0; i < bytes; ++i) number = (number ^ publication.value[i]) * 0x100000001b3u;
   return number | 1u;
+}
+
+}  // namespace
+
+std::uint64_t writer_number(const eprosima::fastrtps::rtps::InstanceHandle_t& publication) {
+  return number_of(publication, 16);
+}
+
+std::uint64_t participant_number(const eprosima::fastrtps::rtps::InstanceHandle_t& publication) {
+  return number_of(publication, 12);
 }
 
 }  // namespace ehm::wire

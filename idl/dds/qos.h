@@ -38,5 +38,7 @@ void ask(eprosima::fastdds::dds::DataReaderQos& qos, double deadline_s, double l
 std::uint32_t engine_id_of(const eprosima::fastrtps::rtps::InstanceHandle_t& instance);
 /// A number that tells one writer from another; not 0.
 std::uint64_t writer_number(const eprosima::fastrtps::rtps::InstanceHandle_t& publication);
+/// The same for the participant that it belongs to.
+std::uint64_t participant_number(const eprosima::fastrtps::rtps::InstanceHandle_t& publication);
 
 }  // namespace ehm::wire

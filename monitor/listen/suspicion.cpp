@@ -4,21 +4,11 @@
 
 #include <cmath>
 
+#include "deploy/units/units.h"
+
 namespace ehm::monitor {
 
 namespace {
-
-/// A value v in the wrong unit becomes right as scale * v + offset.
-struct Confusion {
-  const char *wrong, *right;
-  double scale, offset;
-};
-constexpr Confusion confusions[]{
-    {"degC", "K", 1.0, 273.15},      {"degF", "K", 5.0 / 9.0, 255.372}, {"degR", "K", 5.0 / 9.0, 0.0},
-    {"K", "degR", 1.8, 0.0},         {"psi", "kPa", 6.894757, 0.0},     {"psi", "Pa", 6894.757, 0.0},
-    {"kPa", "Pa", 1000.0, 0.0},      {"Pa", "kPa", 0.001, 0.0},         {"kPa", "psi", 1 / 6.894757, 0.0},
-    {"bar", "kPa", 100.0, 0.0},      {"bar", "Pa", 1e5, 0.0},           {"rpm", "rad/s", 0.1047198, 0.0},
-    {"rad/s", "rpm", 9.549297, 0.0}, {"Hz", "rpm", 60.0, 0.0}};
 
 bool near(double value, const Expectation& e, Eigen::Index i) {
   return std::abs(value - e.value(i)) <= implausible_spreads * e.spread(i);
@@ -43,9 +33,9 @@ std::string other_place(const std::vector<estimation::Channel>& sensors, const E
 
 std::string unit_confusion(const estimation::Channel& sensor, double mean, const Expectation& e, Eigen::Index i) {
   if (sensor.trim != 0.0 && near(0.01 * mean * sensor.trim, e, i)) return "; it looks like percent of trim";
-  for (const Confusion& c : confusions)
-    if (sensor.unit == c.right && near(c.scale * mean + c.offset, e, i))
-      return fmt::format("; it looks like {}, {} is needed", c.wrong, c.right);
+  for (const std::string& other : units::relatives(sensor.unit))
+    if (near((*units::conversion(other, sensor.unit))(mean), e, i))
+      return fmt::format("; it looks like {}, {} is needed", other, sensor.unit);
   return "";
 }
 

@@ -4,6 +4,8 @@
 
 #include "idl/wire_values.h"
 #include "monitor/checks/sample_time_watch.h"
+#include "monitor/checks/source_fit.h"
+#include "monitor/dds/misfit_text.h"
 #include "monitor/judge/validity.h"
 #include "monitor/listen/expectation.h"
 #include "monitor/listen/suspicion.h"
@@ -58,13 +60,18 @@ void check_times(const SourceRecord& s, double sample_time_s, double stale_s, Fi
                                   1e3 * s.own.max_s, 1e3 * stale_s));
 }
 
+/// Names and units by the source's own description; the fit of each channel, as the monitor makes it.
+template <class Fits>
 void check_names(const char* kind, const ChannelDescription* said, std::size_t count,
-                 const std::vector<estimation::Channel>& channels, Findings& findings) {
+                 const std::vector<estimation::Channel>& channels, Fits& fits, Findings& findings) {
   for (std::size_t i = 0; i < std::min(count, channels.size()); ++i) {
-    const std::string name = said[i].name().c_str(), unit = said[i].unit().c_str();
-    if (name == channels[i].name && unit == channels[i].unit) continue;
-    error(findings, fmt::format("{} {} is {} in {} by the source's description, {} in {} by the design", kind, i, name,
-                                unit, channels[i].name, channels[i].unit));
+    const ChannelWords words{said[i].name().c_str(), said[i].unit().c_str()};
+    fits[i] = fit_channel(words, channels, i);
+    const std::string text = misfit_text(kind, i, words, "the source's description", channels, fits[i].misfit);
+    if (fits[i].misfit != Misfit::none)
+      error(findings, text);
+    else if (fits[i].conversion.changes())
+      warning(findings, text + "; the monitor converts");
   }
 }
 
@@ -88,15 +95,15 @@ void check_values(const char* kind, const std::string& name, const ChannelRecord
     warning(findings, fmt::format("{} {}: marked invalid in {} samples", kind, name, c.invalid));
 }
 
-void check_noise(const std::string& name, const ChannelRecord& c, double sigma, std::uint64_t stuck,
-                 Findings& findings) {
+void check_noise(const std::string& name, const ChannelRecord& c, const ChannelFit& fit, double sigma,
+                 std::uint64_t stuck, Findings& findings) {
   if (c.longest_equal_run >= stuck) {
     error(findings, fmt::format("sensor {}: {} equal values in a row, the monitor takes it for stuck", name,
                                 c.longest_equal_run));
     return;
   }
   if (c.good < samples_for_noise || !(sigma > 0.0)) return;
-  const double ratio = c.noise() / sigma;
+  const double ratio = fit.conversion.of_differences()(c.noise()) / sigma;
   if (ratio > noise_ratio_max)
     warning(findings, fmt::format("sensor {}: noise is {:.1f} times the design's {:.3g}", name, ratio, sigma));
   if (ratio < noise_ratio_min)
@@ -104,10 +111,13 @@ void check_noise(const std::string& name, const ChannelRecord& c, double sigma, 
                                   name, ratio, sigma));
 }
 
-bool at_design_point(const SourceRecord& s, const CycleOptions& options, const estimation::LinearModel& model) {
+bool at_design_point(const SourceRecord& s, const SourceFit& fit, const CycleOptions& options,
+                     const estimation::LinearModel& model) {
   Sample sample;
   sample.flight = {s.last.altitude_m(), s.last.mach(), s.last.delta_isa_k()};
+  sample.actuator_count = s.last.actuator_count();
   std::copy(s.last.actuator().begin(), s.last.actuator().end(), sample.actuator.begin());
+  fit.apply(sample);
   EventList unheard;
   return Validity(options.validity, model).judge(sample, unheard);
 }
@@ -125,13 +135,16 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
   Findings& findings = report.findings;
   check_order(s, findings);
   check_times(s, model.sample_time_s, options.stale_periods * model.sample_time_s, findings);
+  SourceFit fit;
   if (description) {
     if (const double stated_s = description->sample_time_s();
         stated_s > 0.0 && std::abs(stated_s / model.sample_time_s - 1.0) > SampleTimeWatch::tolerance)
       error(findings, fmt::format("sample_time_s is {:.6g} by the source's description, {:.6g} by the design", stated_s,
                                   model.sample_time_s));
-    check_names("sensor", description->sensors().data(), description->sensor_count(), model.sensors, findings);
-    check_names("actuator", description->actuators().data(), description->actuator_count(), model.controls, findings);
+    check_names("sensor", description->sensors().data(), description->sensor_count(), model.sensors, fit.sensors,
+                findings);
+    check_names("actuator", description->actuators().data(), description->actuator_count(), model.controls,
+                fit.actuators, findings);
   }
   if (!check_counts(s, model, findings)) return report;
 
@@ -140,22 +153,24 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
   for (Eigen::Index i = 0; i < actuators; ++i) {
     const auto k = static_cast<std::size_t>(i);
     check_values("actuator", model.controls[k].name, s.actuators[k], findings);
-    acting(i) = s.actuators[k].mean();
+    acting(i) = fit.actuators[k].conversion(s.actuators[k].mean());
   }
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
     check_values("sensor", model.sensors[i].name, s.sensors[i], findings);
-    check_noise(model.sensors[i].name, s.sensors[i], model.sensor_noise_sigma(static_cast<Eigen::Index>(i)),
+    check_noise(model.sensors[i].name, s.sensors[i], fit.sensors[i],
+                model.sensor_noise_sigma(static_cast<Eigen::Index>(i)),
                 static_cast<std::uint64_t>(options.checks.stuck_samples), findings);
   }
   if (!acting.allFinite()) return report;
   const Expectation expectation = expect_sensors(model, acting);
   Eigen::VectorXd mean(expectation.value.size());
   for (Eigen::Index i = 0; i < mean.size(); ++i) {
-    mean(i) = s.sensors[static_cast<std::size_t>(i)].mean();
+    const auto k = static_cast<std::size_t>(i);
+    mean(i) = fit.sensors[k].conversion(s.sensors[k].mean());
     report.sensors.push_back(
         {expectation.value(i), expectation.spread(i), (mean(i) - expectation.value(i)) / expectation.spread(i)});
   }
-  const bool at_point = at_design_point(s, options, model);
+  const bool at_point = at_design_point(s, fit, options, model);
   if (!at_point)
     warning(
         findings,

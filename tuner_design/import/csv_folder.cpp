@@ -26,18 +26,19 @@ double number(const std::string& cell, const std::string& place, const std::stri
 }
 
 Eigen::MatrixXd read_matrix(const std::string& file) {
-  const std::vector<CsvRow> rows = files::read_csv_records(file);
+  const std::vector<CsvRow> rows = files::read_records(file, {});
   if (rows.empty()) return {};
   Eigen::MatrixXd matrix(rows.size(), rows.front().cells.size());
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     const CsvRow& row = rows[static_cast<std::size_t>(i)];
     const std::string place = file + ":" + std::to_string(row.line);
-    if (row.cells.size() != rows.front().cells.size()) {
-      throw FileError(place + ": " + std::to_string(row.cells.size()) + " numbers; allowed: " +
-                      std::to_string(rows.front().cells.size()) + ", as many as in the first line.");
-    }
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-      matrix(i, j) = number(row.cells[static_cast<std::size_t>(j)], place, "column " + std::to_string(j + 1));
+      const auto column = static_cast<std::size_t>(j);
+      matrix(i, j) = number(row.cells[column], place, "column " + std::to_string(j + 1));
+      if (files::is_torn_off(row, column))
+        refuse(place, "column " + std::to_string(j + 1), row.cells[column],
+               "a number without leading zeros; is it torn off the column before by a decimal comma, or a comma for "
+               "thousands");
     }
   }
   return matrix;
@@ -82,7 +83,7 @@ void read_channels(const std::string& file, Variables& variables) {
 }
 
 void read_settings(const std::string& file, Variables& variables) {
-  const CsvTable table = files::read_csv(file);
+  const CsvTable table = files::read_csv(file, false);  // values of many kinds
   require_columns(table, {"key", "value"}, "key, value");
   for (const CsvRow& row : table.rows) {
     const std::string key = cell(table, row, "key"), value = cell(table, row, "value"), place = table.place(row);

@@ -12,12 +12,13 @@ namespace {
 
 using namespace ehm;
 using namespace ehm::recording;
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// unit, time, altitude in 1000 ft, Mach, fuel in lb/s, two temperatures in degree Rankine: as C-MAPSS files are.
 ColumnMap example_map() {
   ColumnMap map;
-  map.blank_separated = true;
+  map.separator = files::Separator::blank;
   map.time_column = std::size_t{2};
   map.flight = {{"altitude_m", "m", false, 0, std::size_t{3}, 304.8, 0},
                 {"mach", "", false, 0, std::size_t{4}, 1, 0},
@@ -47,7 +48,7 @@ TEST_F(CsvRowsTest, BlankSeparatedRowsOfSeveralEngines) {
       "1 0.000 35 0.80 2.0 900 1400  \n"
       "2 5.000 35 0.80 2.0 910 1410\n"
       "\n"
-      "1 0.015 35 0.81 2.0 nan 1401 unused\n");
+      "1 0.015 35 0.81 2.0 nan 1401\n");
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0].a.unit, 1);
   EXPECT_EQ(rows[1].a.unit, 2);
@@ -69,7 +70,7 @@ TEST_F(CsvRowsTest, BlankSeparatedRowsOfSeveralEngines) {
 
 TEST_F(CsvRowsTest, NamedColumnsOfACommaSeparatedFile) {
   ColumnMap map = example_map();
-  map.blank_separated = false;
+  map.separator = files::Separator::comma;
   map.header = true;
   map.engine_id_constant = true;
   map.engine_id = 9;
@@ -89,7 +90,9 @@ TEST_F(CsvRowsTest, NamedColumnsOfACommaSeparatedFile) {
 
 TEST_F(CsvRowsTest, MistakesAreNamedWithLineColumnAndValue) {
   const std::string good = "1 0 35 0.8 2 900 1400\n";
-  EXPECT_THAT(error_of(good + "1 1 35 0.8 2 900\n"), HasSubstr("x.txt:2: 6 cells, the column map needs 7"));
+  EXPECT_THAT(error_of(good + "1 1 35 0.8 2 900\n"), HasSubstr("x.txt:2: 6 cells found, 7 expected"));
+  EXPECT_THAT(error_of("1 0 35 0.8 2 900\n1 1 35 0.8 2 900\n"), HasSubstr("x.txt:1: 6 cells, the column map needs 7"));
+  EXPECT_THAT(error_of("1,0,35,0.8,2,900,1400\n"), HasSubstr("needs 7; is the separator \"comma\"?"));
   EXPECT_THAT(error_of(good + "1 1 35 0.8x 2 900 1400\n"),
               HasSubstr("x.txt:2: column 4 is '0.8x', allowed is a number"));
   EXPECT_THAT(error_of(good + "1 1 nan 0.8 2 900 1400\n"),
@@ -102,6 +105,71 @@ TEST_F(CsvRowsTest, MistakesAreNamedWithLineColumnAndValue) {
   EXPECT_THAT(error_of(""), HasSubstr("x.txt: has no row"));
   EXPECT_THAT(test::message_of<files::FileError>([] { CsvRows("nowhere.txt", example_map()); }),
               HasSubstr("nowhere.txt: cannot be read"));
+}
+
+/// A map of `unit, alt, fuel, T` with the time counted, for rows in every writing.
+ColumnMap written(files::Separator separator, std::optional<char> decimal, bool header) {
+  ColumnMap map;
+  map.separator = separator;
+  map.header = header;
+  map.decimal = decimal;
+  map.equidistant = true;
+  map.sample_time_s = 0.015;
+  map.flight = {{"altitude_m", "m", false, 0, std::size_t{2}, 1, 0},
+                {"mach", "", true, 0.8, {}, 1, 0},
+                {"delta_isa_k", "K", true, 0, {}, 1, 0}};
+  map.actuators = {{"fuel_flow", "kg/s", false, 0, std::size_t{3}, 1, 0}};
+  map.sensors = {{"T24", "K", false, 0, std::size_t{4}, 1, 0}};
+  return map;
+}
+
+TEST_F(CsvRowsTest, DecimalCommasAreReadWhereTheMapSaysSo) {
+  using files::Separator;
+  const auto rows = read("unit;alt;Wf;T\n1;10668,5;0,824;390,25\n", written(Separator::semicolon, ',', true));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].w[0], 10668.5);
+  EXPECT_EQ(rows[0].w[3], 0.824);
+  EXPECT_EQ(rows[0].x_s[0], 390.25);
+  EXPECT_EQ(read("1\t10668,5\t0,824\t390,25\n", written(Separator::tab, ',', false))[0].x_s[0], 390.25);
+  EXPECT_EQ(read("1 10668,5 0,824 390,25\n", written(Separator::blank, ',', false))[0].x_s[0], 390.25);
+  EXPECT_EQ(read("1,10668,\"0,824\",\"390,25\"\n", written(Separator::comma, ',', false))[0].x_s[0], 390.25);
+}
+
+TEST_F(CsvRowsTest, AnotherDecimalSignThanTheMapSaysIsNamed) {
+  using files::Separator;
+  EXPECT_THAT(
+      error_of("1;10668,5;0,824;390,25\n", written(Separator::semicolon, {}, false)),
+      HasSubstr("x.txt:1: column 2 is '10668,5', allowed is a number (altitude_m); the column map's [file] says "
+                "decimal = \"comma\" for files written so"));
+  EXPECT_THAT(error_of("1;10668.5;0.824;390.25\n", written(Separator::semicolon, ',', false)),
+              HasSubstr("says decimal = \"point\" for files written so"));
+  EXPECT_THAT(error_of("1;10,668;0;390\n", written(Separator::semicolon, {}, false)),
+              HasSubstr("column 2 is '10,668', allowed is a number (altitude_m); is the comma one for thousands?"));
+}
+
+TEST_F(CsvRowsTest, RowsThatAreAllTornApartAreNotReadAsNumbers) {
+  using files::Separator;
+  // decimal commas between commas, without a header that would tell: 1; 10668.500; 0.024; 390.250
+  EXPECT_THAT(
+      error_of("1,10668,500,0,024,390,250\n1,10668,500,0,031,390,250\n",
+               [] {
+                 ColumnMap map = written(Separator::comma, {}, false);
+                 map.sensors[0].column = std::size_t{5};
+                 return map;
+               }()),
+      AllOf(HasSubstr("x.txt:1: column 5 is '024'"), HasSubstr("torn off the column before by a decimal comma")));
+  // zeros in front are taken where the map says that there is nothing to doubt
+  EXPECT_EQ(read("1,10668,1,0390\n", written(Separator::comma, '.', false))[0].x_s[0], 390.0);
+}
+
+TEST_F(CsvRowsTest, HeadersThatAreNoneOrAmbiguousAreNamed) {
+  using files::Separator;
+  EXPECT_THAT(
+      error_of("1,10668,1,390\n1,10668,1,391\n", written(Separator::comma, {}, true)),
+      HasSubstr("x.txt:1: the header holds numbers only; if the file has none, the column map needs header = false"));
+  ColumnMap twice = written(Separator::comma, {}, true);
+  twice.sensors[0].column = std::string("T");
+  EXPECT_THAT(error_of("unit,alt,Wf,T,T\n1,10668,1,390,391\n", twice), HasSubstr("x.txt:1: column 'T' appears twice"));
 }
 
 }  // namespace

@@ -124,8 +124,8 @@ TEST_F(DeckTest, RefusesAMalformedFileBeforeItWritesAnything) {
   expect_refused(head + "0,nan,0,1400\n", ":2: 'mach' is 'nan', allowed");
   expect_refused(head + "0,0,inf,1400\n", ":2: 'delta_isa_k' is 'inf', allowed");
   expect_refused(head + "0,,0,1400\n", ":2: 'mach' is '', allowed");
-  expect_refused(head + "0,0,0\n", ":2: 3 cells, allowed is 4");
-  expect_refused(head + "0,0,0,1400,\n", ":2: 5 cells, allowed is 4");
+  expect_refused(head + "0,0,0\n", ":2: 3 cells found, 4 expected");
+  expect_refused(head + "0,0,0,1400,\n", ":2: 5 cells found, 4 expected");
   expect_refused(head + "0,0,0,\"1400\n", ":2: quotes do not match");
 }
 

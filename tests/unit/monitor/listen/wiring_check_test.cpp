@@ -156,23 +156,58 @@ TEST(WiringCheck, OffTheDesignsPointPlausibilityIsAHintOnly) {
   EXPECT_FALSE(check_wiring(swapped, small_design(), CycleOptions{}, nullptr).has_error());
 }
 
-TEST(WiringCheck, ComparesNamesAndUnitsWithTheSourcesDescription) {
+/// What the source would say of itself, with one sensor's words as given.
+EngineDescription described(std::size_t sensor, const char* name, const char* unit) {
   EngineDescription d;
   d.sensor_count(3);
   d.actuator_count(1);
   d.actuators()[0].name() = "fuel";
   d.actuators()[0].unit() = "kg/s";
-  const char* said[3][2] = {{"N", "rpm"}, {"P", "psi"}, {"T", "K"}};
+  const char* good[3][2] = {{"N", "rpm"}, {"P", "kPa"}, {"T", "K"}};
   for (std::size_t i = 0; i < 3; ++i) {
-    d.sensors()[i].name() = said[i][0];
-    d.sensors()[i].unit() = said[i][1];
+    d.sensors()[i].name() = i == sensor ? name : good[i][0];
+    d.sensors()[i].unit() = i == sensor ? unit : good[i][1];
   }
-  EXPECT_EQ(found(fly(), &d), "error: sensor 1 is P in psi by the source's description, P in kPa by the design\n");
-  d.sensors()[1].unit() = "kPa";
+  return d;
+}
+
+TEST(WiringCheck, ComparesNamesAndUnitsWithTheSourcesDescription) {
+  const auto said = [](std::size_t sensor, const char* name, const char* unit) {
+    const EngineDescription d = described(sensor, name, unit);
+    return found(fly(), &d);
+  };
+  EXPECT_EQ(said(1, "P", "kPa"), "");
+  EXPECT_EQ(said(2, "T", "degK"), "");
+  EXPECT_EQ(
+      said(1, "P", "K"),
+      "error: sensor 1 is P in K by the source's description, P in kPa by the design: 'K' is a temperature, 'kPa' "
+      "is a pressure\n");
+  EXPECT_EQ(said(1, "P30", "kPa"),
+            "error: sensor 1 is P30 in kPa by the source's description, P in kPa by the design\n");
+  EXPECT_EQ(said(1, "T", "kPa"),
+            "error: sensor 1 is T in kPa by the source's description, P in kPa by the design: the order is not the "
+            "design's\n");
+}
+
+TEST(WiringCheck, ComparesTheSampleTimeWithTheSourcesDescription) {
+  EngineDescription d = described(1, "P", "kPa");
   d.sample_time_s(0.016);  // within 10 %
   EXPECT_EQ(found(fly(), &d), "");
   d.sample_time_s(0.03);
   EXPECT_EQ(found(fly(), &d), "error: sample_time_s is 0.03 by the source's description, 0.015 by the design\n");
+}
+
+TEST(WiringCheck, AnotherUnitThatIsDeclaredIsConvertedBeforeItIsJudged) {
+  const EngineDescription celsius = described(2, "T", "degC");
+  const auto record = fly([](auto, auto& s) { s.sensor()[2] -= 273.15; });
+  EXPECT_EQ(found(record, &celsius),
+            "warning: sensor 2 is T in degC by the source's description, T in K by the design; the monitor converts\n");
+  // 1 kPa is 0.145 psi: the noise of 1.41 kPa is 0.205 psi, and as much as the design has
+  const EngineDescription psi = described(1, "P", "psi");
+  const auto in_psi = fly([](auto, auto& s) { s.sensor()[1] /= 6.894757293168; });
+  EXPECT_EQ(
+      found(in_psi, &psi),
+      "warning: sensor 1 is P in psi by the source's description, P in kPa by the design; the monitor converts\n");
 }
 
 }  // namespace
