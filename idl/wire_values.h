@@ -36,7 +36,7 @@ enum class DescriptionRole : std::uint32_t { source = 1, monitor = 2 };
 
 enum class StatusLevel : std::uint32_t {
   ok = 0,
-  warn = 1,    ///< estimates flow, with a restriction (degraded, off design, shift, losses)
+  warn = 1,    ///< estimates flow, with a restriction (degraded, off design, shift, losses, stamps that do not measure)
   error = 2,   ///< input arrives, but no estimate can be made
   stale = 3,   ///< no input for three periods
   stopped = 4  ///< the monitor has shut down in order
@@ -48,7 +48,7 @@ enum class EventKind : std::uint32_t {
   health_limit = 3,  ///< channel: health parameter; configured threshold
   auxiliary_limit = 4,    ///< channel: auxiliary output; configured threshold
   input_lost = 5,         ///< value: age in seconds
-  filter_restart = 6,     ///< value: seconds of the jump in time or sequence that caused it
+  filter_restart = 6,     ///< value: seconds of the jump in time or sequence that caused it; the message says which
   operating_point = 7,    ///< value: distance from the design's point, threshold: 1
   no_design = 8,          ///< no design for the sensors that are left
   sample_time = 9,        ///< value: the source's mean sample time in s, threshold: the design's
@@ -62,7 +62,9 @@ enum class EventKind : std::uint32_t {
   input_liveliness = 16,  ///< the writer of EngineSensors lost its liveliness
   incompatible_qos = 17,  ///< an endpoint was excluded by QoS; the message names the policy
   recording = 18,         ///< the recorder stopped or lost samples
-  security = 19           ///< somebody without permission was kept out
+  security = 19,          ///< somebody without permission was kept out
+  source_stamps = 20,     ///< source_time_ns is not set, repeats, or steps back (value: by how many seconds, negative)
+  source_sequence = 21    ///< new samples carry the sequence number of the one before (value) and are dropped
 };
 
 enum class SimCommandKind : std::uint32_t {
