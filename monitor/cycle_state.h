@@ -37,7 +37,7 @@ enum class Resumption : std::uint32_t {
 /// How a sample continues the stream in which a state was taken. Real-time safe: yes.
 struct Continuation {
   Resumption verdict = Resumption::taken;
-  double gap_s = 0.0;  ///< from the state to the sample
+  double gap_s = 0.0;       ///< from the state to the sample
   std::uint64_t ahead = 0;  ///< samples from the state's to this; 1: the next
 };
 Continuation continuation(const CycleState& state, const Sample& next, double sample_time_s, double max_gap_s) noexcept;

@@ -2,7 +2,8 @@
 // Which column of a CSV file is which channel: a TOML file. Columns count from 1, or are named where there is a header.
 //
 //   [file]      separator = "comma" or "blank", header = true or false,
-//               engine_id_column or engine_id, and either sample_time_s or time_column with seconds_per_unit
+//               engine_id_column or engine_id, and either sample_time_s or time_column with seconds_per_unit and
+//               time_may_repeat = true for a coarse clock (default false): times that repeat or step back by up to 2 s
 //   [[flight]]  [[actuator]]  [[sensor]]   name, and either column with factor and offset, or value
 //
 //   value in the channel's unit = factor * cell + offset
@@ -37,6 +38,7 @@ struct ColumnMap {
   double sample_time_s = 0.0;  ///< if equidistant
   Column time_column = std::size_t{1};
   double seconds_per_unit = 1.0;
+  bool time_may_repeat = false;
   std::vector<MappedChannel> flight;  ///< altitude_m, mach, delta_isa_k
   std::vector<MappedChannel> actuators, sensors;
 };

@@ -5,6 +5,9 @@
 // Each engine's rows are numbered from 0; time starts where the file's does (1970 for equidistant rows). An empty cell
 // or "nan" of a sensor is a missing value: its validity bit is off. Everywhere else a number must stand.
 //
+// Times must rise, unless the map says time_may_repeat: then the monitor takes its steps from the rows' order, and rows
+// of one time count as received evenly until the next one, so that a replay keeps the pace.
+//
 // @throws files::FileError naming file, line, column, value and what is allowed.
 
 #include <map>
@@ -32,13 +35,15 @@ class CsvRows : public RowSource {
   struct Parsed {
     std::uint32_t engine_id;
     std::uint64_t sequence;
-    std::int64_t time_ns;
+    std::int64_t time_ns, received_ns;
   };
   Place find(const Column& column, const files::CsvRow* header) const;
   void find_columns(const files::CsvRow* header);
   void parse(const files::CsvRow& row);
   std::uint32_t parse_engine(const files::CsvRow& row) const;
   std::int64_t parse_time(const files::CsvRow& row, std::uint32_t engine, std::uint64_t sequence);
+  void require_later(const files::CsvRow& row, std::uint32_t engine, std::int64_t time_ns) const;
+  void spread_repeats();
   double parse_value(const files::CsvRow& row, const MappedChannel& channel, const Place& place, bool may_miss) const;
   [[noreturn]] void refuse(const files::CsvRow& row, const Place& place, const std::string& allowed) const;
 

@@ -2,7 +2,8 @@
 // Is this sample usable at all, and where does it belong in time? Order and steps come from the sequence number
 // (sequence_order.h); the source's stamps only measure, and are never compared with our clock (source_clock.h).
 //
-//   accepted       next in order, `steps` sample times after the last one (1: none lost), whatever its stamp says within
+//   accepted       next in order, `steps` sample times after the last one (1: none lost), whatever its stamp says
+//   within
 //                  restart_gap_s: repeated, not set, set back
 //   first          the filter starts here
 //   restarted      the filter restarts here, for a RestartReason

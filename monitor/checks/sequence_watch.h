@@ -24,8 +24,8 @@ class SequenceWatch {
     ++lately_;
     good_ = 0;
     if (lately_ >= enough)
-      condition_.set(
-          true, {wire::EventKind::source_sequence, 0, true, static_cast<double>(sample.sequence), 0.0, 0}, events);
+      condition_.set(true, {wire::EventKind::source_sequence, 0, true, static_cast<double>(sample.sequence), 0.0, 0},
+                     events);
   }
   void in_order(const Sample& sample, EventList& events) noexcept {
     remember(sample);

@@ -23,10 +23,10 @@ class StampWatch {
       if (!condition_.raised() && told_before_) calm_s_ = std::min(longest_calm_s, 2.0 * calm_s_);
       told_before_ = true;
       good_s_ = 0.0;
-      condition_.set(true,
-                     {wire::EventKind::source_stamps, 0, true, decision.dt_s, 0.0,
-                      static_cast<std::uint32_t>(decision.stamp)},
-                     events);
+      condition_.set(
+          true,
+          {wire::EventKind::source_stamps, 0, true, decision.dt_s, 0.0, static_cast<std::uint32_t>(decision.stamp)},
+          events);
     } else if (condition_.raised()) {
       good_s_ += sample_time_s_ * decision.steps;
       if (good_s_ >= calm_s_) end(events);

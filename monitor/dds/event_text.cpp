@@ -91,14 +91,16 @@ std::string restart_reason(const Event& e) {
     case RestartReason::other_design:
       return "with another design or other options";
     case RestartReason::source_restarted:
-      return e.value == 0.0 ? "the source restarted, its numbers begin anew"
-                            : fmt::format("the source restarted, its numbers begin anew ({:+.3f} s by its clock)", e.value);
+      return e.value == 0.0
+                 ? "the source restarted, its numbers begin anew"
+                 : fmt::format("the source restarted, its numbers begin anew ({:+.3f} s by its clock)", e.value);
     case RestartReason::time_back:
       return fmt::format("the source's time jumped back by {:.3f} s", -e.value);
     case RestartReason::gap:
       return fmt::format("a gap of {:.3f} s in the source's samples, {:.4g} s are bridged", e.value, e.threshold);
     case RestartReason::sequence_jump:
-      return fmt::format("the sequence jumped by {:.4g} s of samples, which the source's time does not explain", e.value);
+      return fmt::format("the sequence jumped by {:.4g} s of samples, which the source's time does not explain",
+                         e.value);
   }
   return "for a reason that this version does not know";
 }
@@ -160,7 +162,8 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
                  ? fmt::format("samples come every {:.4g} s, the design is made for {:.4g} s: estimates are withheld",
                                e.value, e.threshold)
              : e.detail == SampleTimeWatch::not_measured
-                 ? "the source's stamps measure no sample time any more: estimates go on unchecked, the filter starts anew"
+                 ? "the source's stamps measure no sample time any more: estimates go on unchecked, the filter starts "
+                   "anew"
                  : "samples come in the design's time again, the filter starts anew";
     case wire::EventKind::second_source:
       if (!e.raised)
@@ -188,9 +191,10 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
     case wire::EventKind::source_stamps:
       return e.raised ? stamp_trouble(e) : "the source's stamps measure time again";
     case wire::EventKind::source_sequence:
-      return e.raised ? fmt::format("sequence stands still: new samples carry the number {:.0f} of the one before; they "
-                                    "are dropped as duplicates. Add 1 a sample",
-                                    e.value)
+      return e.raised ? fmt::format(
+                            "sequence stands still: new samples carry the number {:.0f} of the one before; they "
+                            "are dropped as duplicates. Add 1 a sample",
+                            e.value)
                       : "the sequence grows with each sample again";
     case wire::EventKind::input_deadline:
     case wire::EventKind::input_liveliness:
