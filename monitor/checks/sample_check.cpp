@@ -53,8 +53,8 @@ SampleDecision SampleCheck::ahead(const Sample& s, const Place& place, const Ela
   const double gap_s = elapsed.told ? elapsed.dt_s - sample_time_s_ * elapsed.stood : by_sequence_s;
   const bool explained = by_sequence_s <= implausible * (elapsed.told ? elapsed.dt_s : options_.restart_gap_s);
   if (gap_s > options_.restart_gap_s || (place.ahead > bound() && !explained)) {
-    SampleDecision decision =
-        explained ? start(s, RestartReason::gap, gap_s) : start(s, RestartReason::sequence_jump, by_sequence_s);
+    const RestartReason gap = lost == 0 ? RestartReason::time_ahead : RestartReason::gap;
+    SampleDecision decision = explained ? start(s, gap, gap_s) : start(s, RestartReason::sequence_jump, by_sequence_s);
     if (explained) decision.lost = lost;
     return decision;
   }

@@ -3,8 +3,7 @@
 // (sequence_order.h); the source's stamps only measure, and are never compared with our clock (source_clock.h).
 //
 //   accepted       next in order, `steps` sample times after the last one (1: none lost), whatever its stamp says
-//   within
-//                  restart_gap_s: repeated, not set, set back
+//                  within restart_gap_s: repeated, not set, set back
 //   first          the filter starts here
 //   restarted      the filter restarts here, for a RestartReason
 //   duplicate, reordered (overtaken on the way), malformed: dropped and counted
@@ -37,8 +36,9 @@ enum class RestartReason : std::uint32_t {
   other_design = 1,      ///< or other options, by a reload
   source_restarted = 2,  ///< its numbers begin anew; seconds since its last sample by its clock, 0 where not known
   time_back = 3,         ///< the source's clock went back by more than restart_gap_s; seconds, negative
-  gap = 4,               ///< of more than restart_gap_s by its clock, or by the sequence where the stamps tell nothing
-  sequence_jump = 5      ///< further than time explains; seconds that so many samples would take
+  time_ahead = 4,        ///< that clock, or a pause: more than restart_gap_s without a missing sample; seconds
+  gap = 5,               ///< of more than restart_gap_s by its clock, or by the sequence where the stamps tell nothing
+  sequence_jump = 6      ///< further than time explains; seconds that so many samples would take
 };
 
 struct SampleDecision {

@@ -96,6 +96,8 @@ std::string restart_reason(const Event& e) {
                  : fmt::format("the source restarted, its numbers begin anew ({:+.3f} s by its clock)", e.value);
     case RestartReason::time_back:
       return fmt::format("the source's time jumped back by {:.3f} s", -e.value);
+    case RestartReason::time_ahead:
+      return fmt::format("the source paused, or its time jumped ahead, by {:.3f} s; no sample is missing", e.value);
     case RestartReason::gap:
       return fmt::format("a gap of {:.3f} s in the source's samples, {:.4g} s are bridged", e.value, e.threshold);
     case RestartReason::sequence_jump:

@@ -56,6 +56,8 @@ TEST(EventText, SaysWhyTheFilterStartedAnew) {
             "the filter started anew: the source restarted, its numbers begin anew");
   EXPECT_EQ(restart(RestartReason::time_back, -50.0),
             "the filter started anew: the source's time jumped back by 50.000 s");
+  EXPECT_EQ(restart(RestartReason::time_ahead, 99.5),
+            "the filter started anew: the source paused, or its time jumped ahead, by 99.500 s; no sample is missing");
   EXPECT_EQ(restart(RestartReason::gap, 3.0),
             "the filter started anew: a gap of 3.000 s in the source's samples, 2 s are bridged");
   EXPECT_EQ(restart(RestartReason::sequence_jump, 15000.0),

@@ -220,7 +220,12 @@ TEST_F(UnevenTimeTest, EachRestartTellsItsReason) {
   };
   EXPECT_EQ(reason_of([](Sample& s) { s.sequence = 0; }), RestartReason::source_restarted);
   EXPECT_EQ(reason_of([](Sample& s) { s.source_time_ns -= 5000 * ms; }), RestartReason::time_back);
-  EXPECT_EQ(reason_of([](Sample& s) { s.source_time_ns += 5000 * ms; }), RestartReason::gap);
+  EXPECT_EQ(reason_of([](Sample& s) { s.source_time_ns += 5000 * ms; }), RestartReason::time_ahead);
+  EXPECT_EQ(reason_of([](Sample& s) {
+              s.sequence += 300;
+              s.source_time_ns += 4500 * ms;
+            }),
+            RestartReason::gap);
   EXPECT_EQ(reason_of([](Sample& s) { s.sequence += 1'000'000; }), RestartReason::sequence_jump);
   cycle_->reset();
   EXPECT_EQ(cycle_->events().begin()->detail, static_cast<std::uint32_t>(RestartReason::command));
