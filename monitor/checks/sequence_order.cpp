@@ -18,7 +18,10 @@ bool SequenceOrder::wraps(int bits, std::uint64_t sequence, const Elapsed& elaps
   if (last_ >= turn_of(bits) || (bits_ != 0 && bits_ != bits)) return false;
   const std::uint64_t ahead = sequence + turn_of(bits) - last_;
   if (ahead == 1 && bits_ == bits) return true;
-  return elapsed.told ? elapsed.fits(static_cast<double>(ahead), sample_time_s) : ahead <= near;
+  if (!elapsed.told) return ahead <= near;
+  const bool may_be_a_start = sequence <= 1 && ahead > near && bits_ != bits;
+  const auto steps = static_cast<double>(ahead);
+  return may_be_a_start ? elapsed.fits_closely(steps, sample_time_s) : elapsed.fits(steps, sample_time_s);
 }
 
 std::uint64_t SequenceOrder::whole_turns(std::uint64_t ahead, const Elapsed& elapsed,

@@ -4,7 +4,8 @@
 // The number on the wire has 64 bits; a source's own counter may have 8, 16 or 32, and then goes on at 0 after 2^k - 1.
 // A lower number than the last one, both below 2^k, is such a wrap if
 //
-//   the stamps have the time for the samples around the boundary (SourceClock), or
+//   the stamps have the time for the samples around the boundary (SourceClock), within a fifth of a sample time if the
+//     number is 0 or 1, as a source that starts anew sends, after more than eight samples, or
 //   the stamps tell nothing, and the boundary is at most eight samples away, or
 //   it is 0 after 2^k - 1, and this counter has wrapped there before.
 //

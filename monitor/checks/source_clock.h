@@ -31,6 +31,10 @@ struct Elapsed {
     const double expected_s = sample_time_s * (steps + stood);
     return told && std::abs(dt_s - expected_s) <= 0.05 + 0.01 * std::abs(expected_s);
   }
+  /// The same within a fifth of a sample time.
+  bool fits_closely(double steps, double sample_time_s) const noexcept {
+    return told && std::abs(dt_s - sample_time_s * (steps + stood)) <= 0.2 * sample_time_s;
+  }
 };
 
 class SourceClock {

@@ -78,6 +78,17 @@ TEST_P(SequenceTest, ASourceThatStartsAnewNearTheBoundaryIsNoWrap) {
   EXPECT_EQ(d.lost, 0u);
 }
 
+TEST_P(SequenceTest, ASourceThatStartsAnewWhenTheTimeNearlyFitsIsNoWrap) {
+  for (const double off : {-2.0, -0.5, 0.5, 2.0}) {
+    check_.reset();
+    send(turn() - 100, 0);
+    EXPECT_EQ(send(0, 100 + off).reason, RestartReason::source_restarted) << off;
+  }
+  check_.reset();
+  send(turn() - 100, 0);
+  EXPECT_EQ(send(0, 100.1).lost, 99u);  // what is lost may end at the boundary, too
+}
+
 TEST_P(SequenceTest, ASourceThatStartsAnewFarFromTheBoundaryIsNoWrap) {
   for (const double time : {2.0, 15.0, 40.0}) {
     check_.reset();
