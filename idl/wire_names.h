@@ -37,8 +37,10 @@ inline constexpr std::array event_kind_names{"?",
                                              "recording",
                                              "security",
                                              "source_channels",
-                                             "unreadable_peer"};
-static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::unreadable_peer) + 1);
+                                             "unreadable_peer",
+                                             "source_stamps",
+                                             "source_sequence"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::source_sequence) + 1);
 
 inline constexpr std::array<std::pair<std::uint32_t, const char*>, 5> estimate_flag_names{
     {{estimate_flag::converging, "converging"},

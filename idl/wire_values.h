@@ -36,7 +36,7 @@ enum class DescriptionRole : std::uint32_t { source = 1, monitor = 2 };
 
 enum class StatusLevel : std::uint32_t {
   ok = 0,
-  warn = 1,    ///< estimates flow, with a restriction (degraded, off design, shift, losses)
+  warn = 1,    ///< estimates flow, with a restriction (degraded, off design, shift, losses, stamps that do not measure)
   error = 2,   ///< input arrives, but no estimate can be made
   stale = 3,   ///< no input for three periods
   stopped = 4  ///< the monitor has shut down in order
@@ -48,7 +48,7 @@ enum class EventKind : std::uint32_t {
   health_limit = 3,  ///< channel: health parameter; configured threshold
   auxiliary_limit = 4,    ///< channel: auxiliary output; configured threshold
   input_lost = 5,         ///< value: age in seconds
-  filter_restart = 6,     ///< value: seconds of the jump in time or sequence that caused it
+  filter_restart = 6,     ///< value: seconds of the jump in time or sequence that caused it; the message says which
   operating_point = 7,    ///< value: distance from the design's point, threshold: 1
   no_design = 8,          ///< no design for the sensors that are left
   sample_time = 9,        ///< value: the source's mean sample time in s, threshold: the design's
@@ -65,8 +65,10 @@ enum class EventKind : std::uint32_t {
   security = 19,          ///< somebody without permission was kept out
   source_channels = 20,   ///< a channel as its source describes it is not the design's: name, place or unit; channel:
                           ///< sensor, actuators from EHM_MAX_SENSORS on; value: source_id
-  unreadable_peer = 21    ///< a remote endpoint of our topics that can never be read, or never read us; the message
+  unreadable_peer = 21,   ///< a remote endpoint of our topics that can never be read, or never read us; the message
                           ///< names participant, topic and reason (raised 0: all that were named are gone)
+  source_stamps = 22,     ///< source_time_ns is not set, repeats, or steps back (value: by how many seconds, negative)
+  source_sequence = 23    ///< new samples carry the sequence number of the one before (value) and are dropped
 };
 
 enum class SimCommandKind : std::uint32_t {

@@ -13,7 +13,6 @@ using estimation::SensorSet;
 
 namespace {
 constexpr double ambiguity_lasts_s = 5.0;  // after the evidence has faded
-constexpr double memory_s = 3600.0;        // in which wear may have moved
 constexpr double return_settles_in = 2.0;  // slowest time constants after a sensor has come back
 }  // namespace
 
@@ -119,7 +118,7 @@ void MonitorCycle::exclude(int sensor) noexcept {
   return_gate_.start(with_it - without_it, narrow, filter_.innovation_variance()(sensor), bias);
   // What the sensor has taught stays true, and the estimates go on without a step.
   if (knew_it)
-    filter_.carry(health, auxiliary, design_->model.sample_time_s / memory_s);
+    filter_.carry(health, auxiliary, design_->model.sample_time_s / ReturnGate::memory_s);
   else
     return_gate_.forget();
   ungated_.reset();

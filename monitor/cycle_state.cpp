@@ -22,15 +22,25 @@ bool same_shape(const estimation::ErrorState& state, const estimation::ErrorMode
          state.remaining <= model.settling_samples;
 }
 
-/// Does the sample continue the stream in which the state was taken?
-Resumption continues(const CycleState& state, const Sample& next, double max_gap_s) noexcept {
-  if (next.source_id != state.source_id) return Resumption::other_source;
-  const double gap_s = 1e-9 * (static_cast<double>(next.source_time_ns) - static_cast<double>(state.source_time_ns));
-  if (next.sequence <= state.sequence || gap_s <= 0.0) return Resumption::not_later;
-  return gap_s > max_gap_s ? Resumption::too_old : Resumption::taken;
-}
-
 }  // namespace
+
+Continuation continuation(const CycleState& state, const Sample& next, double sample_time_s,
+                          double max_gap_s) noexcept {
+  SourceClock clock;
+  SequenceOrder order;
+  clock.start(state.source_time_ns);
+  order.start(state.sequence);
+  const Elapsed elapsed = clock.elapsed(next.source_time_ns);
+  const std::uint64_t ahead = order.place(next.sequence, elapsed, sample_time_s).ahead;
+  Continuation c{Resumption::taken, elapsed.told ? elapsed.dt_s : sample_time_s * static_cast<double>(ahead), ahead};
+  if (next.source_id != state.source_id)
+    c.verdict = Resumption::other_source;
+  else if (ahead == 0 || c.gap_s < 0.0)
+    c.verdict = Resumption::not_later;
+  else if (c.gap_s > max_gap_s)
+    c.verdict = Resumption::too_old;
+  return c;
+}
 
 bool MonitorCycle::snapshot(CycleState& state) const noexcept {
   // A fault that was just declared is still in the estimate, and its size is not part of the state.
@@ -49,7 +59,8 @@ bool MonitorCycle::snapshot(CycleState& state) const noexcept {
 }
 
 Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept {
-  if (const Resumption verdict = continues(state, next, max_gap_s); verdict != Resumption::taken) return verdict;
+  const Continuation next_is = continuation(state, next, design_->model.sample_time_s, max_gap_s);
+  if (next_is.verdict != Resumption::taken) return next_is.verdict;
   const auto design = static_cast<std::size_t>(1 + state.missing_sensor);
   if (design >= error_models_->size() || !same_shape(state.error, (*error_models_)[design]))
     return Resumption::wrong_shape;
@@ -69,11 +80,11 @@ Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, dou
         {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), true, 0.0, 0.0, wire::reject_reason::excluded},
         events_);
   }
-  fly_blind_to(next, state.sequence);
+  fly_blind_to(next, next_is.ahead - 1);
   return Resumption::taken;
 }
 
-void MonitorCycle::fly_blind_to(const Sample& next, std::uint64_t sequence) noexcept {
+void MonitorCycle::fly_blind_to(const Sample& next, std::uint64_t missing) noexcept {
   // The actuators are taken to have been for the whole gap where they are now: the states follow them there. Longer
   // than the filter needs to settle makes no difference.
   for (int i = 0; i < actuators_; ++i) {
@@ -81,7 +92,7 @@ void MonitorCycle::fly_blind_to(const Sample& next, std::uint64_t sequence) noex
     du_(i) = std::isfinite(du) ? du : 0.0;
   }
   const auto bound = static_cast<std::uint64_t>(error_models_->front().settling_samples);
-  for (std::uint64_t k = std::min(next.sequence - sequence - 1, bound); k > 0; --k) {
+  for (std::uint64_t k = std::min(missing, bound); k > 0; --k) {
     filter_.predict(du_);
     filter_.update({});
   }

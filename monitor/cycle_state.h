@@ -10,6 +10,7 @@
 #include "monitor/checks/return_gate.h"
 #include "monitor/estimation/capacity.h"
 #include "monitor/estimation/error_propagation.h"
+#include "monitor/sample.h"
 
 namespace ehm::monitor {
 
@@ -30,7 +31,15 @@ enum class Resumption : std::uint32_t {
   wrong_shape = 1,   ///< not of this design
   other_source = 2,  ///< the sample comes from another source than the state's
   not_later = 3,     ///< the source has started anew since
-  too_old = 4        ///< by the source's clock
+  too_old = 4        ///< by the source's clock, or by the sequence where its stamps tell nothing
 };
+
+/// How a sample continues the stream in which a state was taken. Real-time safe: yes.
+struct Continuation {
+  Resumption verdict = Resumption::taken;
+  double gap_s = 0.0;       ///< from the state to the sample
+  std::uint64_t ahead = 0;  ///< samples from the state's to this; 1: the next
+};
+Continuation continuation(const CycleState& state, const Sample& next, double sample_time_s, double max_gap_s) noexcept;
 
 }  // namespace ehm::monitor

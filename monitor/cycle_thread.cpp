@@ -119,6 +119,7 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
   const std::uint64_t malformed = slot->cycle.counters().malformed;
   if (slot->cycle.counters().received == 0) first_sample(*slot);
   const bool accepted = slot->cycle.estimate(slot->sample);
+  if (accepted || slot->cycle.sequence_stands()) slot->heard_ns = arrival_ns;
   if (accepted) {
     slot->received_ns = arrival_ns;
     slot->last_sequence = slot->sample.sequence;
@@ -223,7 +224,7 @@ void CycleThread::obey(const MonitorCommand& command) {
 void CycleThread::watch_input(std::int64_t now_ns) {
   int statuses = 0;
   engines_->for_each([&](EngineSlot& slot) {
-    const std::int64_t last_ns = slot.received_ns != 0 ? slot.received_ns : start_ns_;
+    const std::int64_t last_ns = slot.heard_ns != 0 ? slot.heard_ns : start_ns_;
     const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
     if (!source_clock_ || age_s > source_silence_s) {
       if (slot.cycle.no_input(age_s) && records_) records_->input_lost(slot, now_ns - last_ns);
@@ -304,7 +305,7 @@ void CycleThread::exchange_table() {
   EngineTable* next = exchange_.next.exchange(nullptr, std::memory_order_acquire);
   if (!next) return;
   next->take_over(*engines_, [&](EngineSlot& old, EngineSlot& now) {
-    old.cycle.reset();  // clears what it had raised, and says that the filter starts anew
+    old.cycle.reset(RestartReason::other_design);  // clears what it had raised, and says that the filter starts anew
     report_events(old);
     reports_.push({Report::Kind::new_engine, now.engine_id, &now.cycle.design(), {}, 0, 0, {}, {}});
     if (records_) records_->marker(now, recording::RowKind::resumed);

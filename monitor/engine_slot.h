@@ -18,6 +18,7 @@ struct EngineSlot {
     sample = before.sample;
     last_sequence = before.last_sequence;
     received_ns = before.received_ns;
+    heard_ns = before.heard_ns;
     malformed_ns = before.malformed_ns;
     deadline_misses = before.deadline_misses;
     writes_refused = before.writes_refused;
@@ -39,6 +40,7 @@ struct EngineSlot {
   Sample sample;                              ///< the latest, in order or not
   std::uint64_t last_sequence = 0;            ///< of the latest sample in order
   std::int64_t received_ns = 0;               ///< monotonic, of the latest sample in order
+  std::int64_t heard_ns = 0;                  ///< the same, or of one whose sequence number stands still
   std::int64_t malformed_ns = 0;              ///< monotonic, when malformed samples were last spoken of
   std::uint64_t deadline_misses = 0;          ///< estimates later than one sample time after their sample
   std::uint64_t writes_refused = 0;           ///< by the middleware, on any estimate topic

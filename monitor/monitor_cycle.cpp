@@ -30,6 +30,8 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       error_(error_models_->front()),
       sample_check_(options.checks, sensors_, actuators_, design_->model.sample_time_s),
       sample_time_(design_->model.sample_time_s),
+      stamp_watch_(design_->model.sample_time_s),
+      sequence_watch_(design_->model.sample_time_s),
       sensor_check_(options.checks, design_->model),
       qualification_(static_cast<std::size_t>(sensors_)),
       gated_(static_cast<std::size_t>(sensors_)),
@@ -43,7 +45,8 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       du_(actuators_),
       du_previous_(actuators_),
       actuator_trim_(trims<estimation::ActuatorVector>(design_->model.controls)),
-      sensor_fault_(static_cast<std::size_t>(sensors_)) {
+      sensor_fault_(static_cast<std::size_t>(sensors_)),
+      second_source_(design_->model.sample_time_s) {
   no_residuals();
 }
 
@@ -83,12 +86,14 @@ void MonitorCycle::judge() noexcept {
 bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcept {
   decision = sample_check_.decide(sample);
   counters_.lost += decision.lost;
+  dropped_ |= 1u << static_cast<unsigned>(decision.verdict);
   switch (decision.verdict) {
     case SampleVerdict::malformed:
       ++counters_.malformed;
       return false;
     case SampleVerdict::duplicate:
       ++counters_.duplicated;
+      sequence_watch_.repeated(sample, events_);
       return false;
     case SampleVerdict::reordered:
       ++counters_.reordered;
@@ -98,14 +103,17 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
       second_source_.foreign(sample, sample_check_.source_id(), events_);
       return false;
     case SampleVerdict::restarted:
-      restart(decision.jump_s);
+      restart(decision.reason, decision.jump_s);
       break;
     case SampleVerdict::first:
     case SampleVerdict::accepted:
       break;
   }
   input_lost_.set(false, {wire::EventKind::input_lost, 0, false, 0.0, 0.0, 0}, events_);
-  second_source_.followed(events_);
+  second_source_.followed(decision.steps, events_);
+  sequence_watch_.in_order(sample, events_);
+  stamp_watch_.judge(decision, events_);
+  dropped_ = 0;
   for (int i = 0; i < actuators_; ++i) du_(i) = sample.actuator[static_cast<std::size_t>(i)] - actuator_trim_(i);
   if (decision.verdict != SampleVerdict::accepted) du_previous_ = du_;
   return true;
@@ -123,7 +131,7 @@ void MonitorCycle::restart_filter() noexcept {
   du_previous_ = du_;
 }
 
-void MonitorCycle::restart(double jump_s) noexcept {
+void MonitorCycle::restart(RestartReason reason, double jump_s) noexcept {
   ++counters_.restarts;
   restart_filter();
   sensor_check_.reset();
@@ -133,11 +141,14 @@ void MonitorCycle::restart(double jump_s) noexcept {
                          events_);
   have_design_ = true;
   no_design_.set(false, {wire::EventKind::no_design, 0, false, 0.0, 0.0, 0}, events_);
-  events_.push({wire::EventKind::filter_restart, 0, true, jump_s, options_.checks.restart_gap_s, 0});
+  events_.push({wire::EventKind::filter_restart, 0, true, jump_s, options_.checks.restart_gap_s,
+                static_cast<std::uint32_t>(reason)});
 }
 
-void MonitorCycle::reset() noexcept {
-  restart(0.0);
+void MonitorCycle::reset(RestartReason reason) noexcept {
+  restart(reason, 0.0);
+  sequence_watch_.end(events_);
+  stamp_watch_.end(events_);
   sample_check_.reset();
 }
 
@@ -277,7 +288,8 @@ std::uint32_t MonitorCycle::estimate_flags() const noexcept {
 bool MonitorCycle::no_input(double age_s) noexcept {
   const double limit_s = options_.stale_periods * design_->model.sample_time_s;
   if (age_s <= limit_s) return false;
-  input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, 0}, events_);
+  input_lost_.set(true, {wire::EventKind::input_lost, 0, true, age_s, limit_s, sequence_stands() ? 0 : dropped_},
+                  events_);
   // The source is gone: whoever sends next, and may be followed, takes its place.
   sample_check_.release_source();
   if (!sample_check_.only_one()) second_source_.end(events_);

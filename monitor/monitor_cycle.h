@@ -18,6 +18,8 @@
 #include "monitor/checks/sample_check.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/sensor_check.h"
+#include "monitor/checks/sequence_watch.h"
+#include "monitor/checks/stamp_watch.h"
 #include "monitor/cycle_state.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/error_propagation.h"
@@ -81,8 +83,8 @@ class MonitorCycle {
   /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. True if it does.
   /// Real-time safe: yes.
   bool no_input(double age_s) noexcept;
-  /// Cold start of the filter, by an operator's order. Real-time safe: yes.
-  void reset() noexcept;
+  /// Cold start of the filter, by an operator's order, or since another design takes over. Real-time safe: yes.
+  void reset(RestartReason reason = RestartReason::command) noexcept;
 
   /// What a successor needs to go on from here. False, and nothing written, without an honest estimate. Real-time safe:
   /// yes.
@@ -102,13 +104,17 @@ class MonitorCycle {
   /// Of the latest sample that was in order.
   const CycleResult& result() const noexcept { return result_; }
   bool stale() const noexcept { return input_lost_.raised(); }
+  /// Samples arrive, but their sequence number does not grow: none is in order.
+  bool sequence_stands() const noexcept { return sequence_watch_.standing(); }
+  /// The source's sequence numbers or stamps have a fault that an event tells.
+  bool order_troubled() const noexcept { return sequence_watch_.raised() || stamp_watch_.raised(); }
   /// Events since the last clear_events.
   const EventList& events() const noexcept { return events_; }
   void clear_events() noexcept { events_.clear(); }
 
  private:
   bool admit(const Sample& sample, SampleDecision& decision) noexcept;
-  void restart(double jump_s) noexcept;
+  void restart(RestartReason reason, double jump_s) noexcept;
   void restart_filter() noexcept;
   void check_sensors(const Sample& sample, int steps) noexcept;
   void no_residuals() noexcept;
@@ -129,7 +135,8 @@ class MonitorCycle {
   void follow_return() noexcept;
   void listen_anew() noexcept;
   std::uint32_t estimate_flags() const noexcept;
-  void fly_blind_to(const Sample& next, std::uint64_t sequence) noexcept;
+  /// `missing`: samples before `next` that never came.
+  void fly_blind_to(const Sample& next, std::uint64_t missing) noexcept;
 
   std::shared_ptr<const design::Design> design_;
   CycleOptions options_;
@@ -140,6 +147,8 @@ class MonitorCycle {
 
   SampleCheck sample_check_;
   SampleTimeWatch sample_time_;
+  StampWatch stamp_watch_;
+  SequenceWatch sequence_watch_;
   SensorCheck sensor_check_;
   std::vector<Qualification> qualification_;
   std::vector<std::int64_t> gated_;  ///< values in a row that only the innovation gate held back, by sensor
@@ -160,6 +169,7 @@ class MonitorCycle {
   bool have_design_ = true;  ///< for the sensors that are left
   std::vector<Condition> sensor_fault_;
   Condition no_design_, input_lost_, ambiguous_;
+  std::uint32_t dropped_ = 0;  ///< verdicts on what came since the last sample in order; bit i: SampleVerdict i
   SecondSourceWatch second_source_;
   std::uint32_t ambiguous_channel_ = 0;
   std::int64_t unambiguous_samples_ = 0;

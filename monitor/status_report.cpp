@@ -8,10 +8,11 @@ StatusLevel level_of(const EngineSlot& slot) noexcept {
   namespace flag = wire::estimate_flag;
   if (slot.cycle.stale() || slot.received_ns == 0) return StatusLevel::stale;
   const CycleResult& result = slot.cycle.result();
-  if (!result.estimates) return StatusLevel::error;
+  if (!result.estimates || slot.cycle.sequence_stands()) return StatusLevel::error;
   const CycleCounters &now = slot.cycle.counters(), &before = slot.status_counters;
   const bool troubled = now.lost != before.lost || now.malformed != before.malformed ||
-                        now.reordered != before.reordered || now.foreign != before.foreign;
+                        now.reordered != before.reordered || now.foreign != before.foreign ||
+                        slot.cycle.order_troubled();
   const bool restricted = (result.flags & (flag::degraded | flag::shifted)) != 0;
   return troubled || restricted ? StatusLevel::warn : StatusLevel::ok;
 }

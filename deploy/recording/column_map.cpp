@@ -47,6 +47,7 @@ void read_file_table(TableReader& table, ColumnMap& map) {
   } else {
     map.time_column = read_column(table, "time_column", map.header);
     map.seconds_per_unit = table.real_or("seconds_per_unit", 1.0, 1e-9, 1e6);
+    map.time_may_repeat = table.has("time_may_repeat") && table.flag("time_may_repeat");
   }
   table.finish();
 }

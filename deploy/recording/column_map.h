@@ -3,7 +3,8 @@
 //
 //   [file]      separator = "comma", "semicolon", "tab" or "blank", header = true or false,
 //               decimal = "point" (default) or "comma",
-//               engine_id_column or engine_id, and either sample_time_s or time_column with seconds_per_unit
+//               engine_id_column or engine_id, and either sample_time_s or time_column with seconds_per_unit and
+//               time_may_repeat = true for a coarse clock (default false): times that repeat or step back by up to 2 s
 //   [[flight]]  [[actuator]]  [[sensor]]   name, and either column with factor and offset, or value
 //
 //   value in the channel's unit = factor * cell + offset
@@ -47,6 +48,7 @@ struct ColumnMap {
   double sample_time_s = 0.0;  ///< if equidistant
   Column time_column = std::size_t{1};
   double seconds_per_unit = 1.0;
+  bool time_may_repeat = false;
   std::vector<MappedChannel> flight;  ///< altitude_m, mach, delta_isa_k
   std::vector<MappedChannel> actuators, sensors;
 };

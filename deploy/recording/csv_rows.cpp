@@ -13,7 +13,8 @@ using files::FileError;
 namespace {
 
 constexpr std::uint32_t wire_schema = 1, csv_source_id = 1;
-constexpr double largest_time_s = 9e9;  // what 64 bits of nanoseconds hold
+constexpr double largest_time_s = 9e9;                        // what 64 bits of nanoseconds hold
+constexpr std::int64_t longest_step_back_ns = 2'000'000'000;  // the monitor's checks.restart_gap_s by default
 
 bool says_missing(std::string_view cell) {
   return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN";
@@ -42,6 +43,7 @@ CsvRows::CsvRows(const std::string& file, ColumnMap map) : file_(file), map_(std
   find_columns(map_.header ? &records.front() : nullptr);
   require_cells(records.front());
   for (std::size_t i = first; i < records.size(); ++i) parse(records[i]);
+  if (map_.time_may_repeat) spread_repeats();
 }
 
 void CsvRows::require_names(const CsvRow& header) const {
@@ -92,7 +94,8 @@ void CsvRows::refuse(const CsvRow& row, const Place& place, const std::string& a
 void CsvRows::parse(const CsvRow& row) {
   const std::uint32_t engine = parse_engine(row);
   const std::uint64_t sequence = rows_of_[engine]++;
-  parsed_.push_back({engine, sequence, parse_time(row, engine, sequence)});
+  const std::int64_t time_ns = parse_time(row, engine, sequence);
+  parsed_.push_back({engine, sequence, time_ns, time_ns});
   const std::size_t first_sensor = map_.flight.size() + map_.actuators.size();
   for (std::size_t i = 0; i < channels_.size(); ++i)
     values_.push_back(parse_value(row, channels_[i], places_[i], i >= first_sensor));
@@ -138,11 +141,44 @@ std::int64_t CsvRows::parse_time(const CsvRow& row, std::uint32_t engine, std::u
   if (!number || std::abs(*number * map_.seconds_per_unit) > largest_time_s)
     refuse(row, time_column_, "a time within 9e9 s" + decimal_hint(row.cells[time_column_.index]));
   const std::int64_t time_ns = std::llround(1e9 * map_.seconds_per_unit * *number);
-  const auto last = last_time_ns_.find(engine);
-  if (last != last_time_ns_.end() && time_ns <= last->second)
-    refuse(row, time_column_, "a later time than in the row of engine " + std::to_string(engine) + " before");
+  require_later(row, engine, time_ns);
   last_time_ns_[engine] = time_ns;
   return time_ns;
+}
+
+void CsvRows::require_later(const CsvRow& row, std::uint32_t engine, std::int64_t time_ns) const {
+  const auto last = last_time_ns_.find(engine);
+  if (last == last_time_ns_.end()) return;
+  const std::string before = "than in the row of engine " + std::to_string(engine) + " before";
+  if (map_.time_may_repeat) {
+    if (time_ns < last->second - longest_step_back_ns)
+      refuse(row, time_column_,
+             "a time at most 2 s earlier " + before + "; a flight of its own needs a file of its own");
+  } else if (time_ns <= last->second) {
+    refuse(row, time_column_,
+           "a later time " + before +
+               "; if it is a coarse clock's, the column map's [file] may say time_may_repeat = true (steps then come "
+               "from the order of the rows), or sample_time_s in the place of time_column");
+  }
+}
+
+void CsvRows::spread_repeats() {
+  std::map<std::uint32_t, std::vector<std::size_t>> rows_by_engine;
+  for (std::size_t i = 0; i < parsed_.size(); ++i) rows_by_engine[parsed_[i].engine_id].push_back(i);
+  for (const auto& [engine, rows] : rows_by_engine) {
+    double spacing_ns = 0.0;  // of the latest rows between two times
+    for (std::size_t first = 0, next = 0; first < rows.size(); first = next) {
+      const std::int64_t time_ns = parsed_[rows[first]].time_ns;
+      while (next < rows.size() && parsed_[rows[next]].time_ns <= time_ns) ++next;
+      if (next < rows.size())
+        spacing_ns = static_cast<double>(parsed_[rows[next]].time_ns - time_ns) / static_cast<double>(next - first);
+      for (std::size_t i = first; i < next; ++i)
+        parsed_[rows[i]].received_ns = time_ns + std::llround(spacing_ns * static_cast<double>(i - first));
+    }
+    if (rows.size() > 1 && spacing_ns == 0.0)
+      throw FileError(file_ + ": the time of engine " + std::to_string(engine) +
+                      " never rises; the column map's [file] needs sample_time_s in the place of time_column");
+  }
 }
 
 double CsvRows::parse_value(const CsvRow& row, const MappedChannel& channel, const Place& place, bool may_miss) const {
@@ -165,7 +201,8 @@ bool CsvRows::next(Row& row) {
   row = Row{};
   row.a.unit = parsed.engine_id;
   row.a.sequence = static_cast<std::int64_t>(parsed.sequence);
-  row.a.source_time_ns = row.a.received_ns = parsed.time_ns;
+  row.a.source_time_ns = parsed.time_ns;
+  row.a.received_ns = parsed.received_ns;
   row.a.schema = wire_schema;
   row.a.source_id = csv_source_id;
   row.a.sensor_count = static_cast<std::int64_t>(map_.sensors.size());

@@ -6,6 +6,9 @@
 // or "nan" of a sensor is a missing value: its validity bit is off. Everywhere else a number must stand. Sensors and
 // actuators leave in the units that the map declares, flight channels in those of their names.
 //
+// Times must rise, unless the map says time_may_repeat: then the monitor takes its steps from the rows' order, and rows
+// of one time count as received evenly until the next one, so that a replay keeps the pace.
+//
 // @throws files::FileError naming file, line, column, value and what is allowed.
 
 #include <map>
@@ -33,7 +36,7 @@ class CsvRows : public RowSource {
   struct Parsed {
     std::uint32_t engine_id;
     std::uint64_t sequence;
-    std::int64_t time_ns;
+    std::int64_t time_ns, received_ns;
   };
   Place find(const Column& column, const files::CsvRow* header) const;
   void require_names(const files::CsvRow& header) const;
@@ -44,6 +47,8 @@ class CsvRows : public RowSource {
   void parse(const files::CsvRow& row);
   std::uint32_t parse_engine(const files::CsvRow& row) const;
   std::int64_t parse_time(const files::CsvRow& row, std::uint32_t engine, std::uint64_t sequence);
+  void require_later(const files::CsvRow& row, std::uint32_t engine, std::int64_t time_ns) const;
+  void spread_repeats();
   double parse_value(const files::CsvRow& row, const MappedChannel& channel, const Place& place, bool may_miss) const;
   [[noreturn]] void refuse(const files::CsvRow& row, const Place& place, const std::string& allowed) const;
 

@@ -20,6 +20,9 @@ namespace ehm::monitor {
 
 class ReturnGate {
  public:
+  /// In which wear may have moved, so that what the lost sensor had taught fades.
+  static constexpr double memory_s = 3600.0;
+
   /// What a checkpoint keeps of it.
   struct Memory {
     double offset = 0.0, narrow_variance = 1.0, wide_variance = 1.0, age_s = 0.0, bias = 0.0;
@@ -68,7 +71,7 @@ class ReturnGate {
   double innovation_mean() const noexcept { return innovation_mean_; }
 
  private:
-  static constexpr double memory_s = 3600.0, averaged = 50.0, most_sigmas = 2.5, most_spread = 2.0;
+  static constexpr double averaged = 50.0, most_sigmas = 2.5, most_spread = 2.0;
   double offset_ = 0.0, narrow_ = 1.0, wide_ = 1.0, least_ = 1.0, age_s_ = 0.0, bias_ = 0.0;
   double innovation_mean_ = 0.0, spread_ = 1.0;
 };

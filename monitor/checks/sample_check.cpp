@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "idl/wire_values.h"
 
@@ -13,15 +12,6 @@ namespace {
 // A gap in the sequence that would take so many times longer than what the source's clock shows is no loss: the source
 // numbers anew.
 constexpr double implausible = 10.0;
-
-/// Stamps may be anything: at the ends of their range the difference saturates.
-double seconds_between(std::int64_t from_ns, std::int64_t to_ns) noexcept {
-  std::int64_t difference_ns = 0;
-  if (__builtin_sub_overflow(to_ns, from_ns, &difference_ns))
-    difference_ns =
-        to_ns > from_ns ? std::numeric_limits<std::int64_t>::max() : std::numeric_limits<std::int64_t>::min();
-  return 1e-9 * static_cast<double>(difference_ns);
-}
 
 }  // namespace
 
@@ -41,12 +31,37 @@ bool SampleCheck::foreign(const Sample& s) const noexcept {
   return s.source_id != source_id_ || (s.writer != writer_ && s.writer != 0 && writer_ != 0);
 }
 
-SampleDecision SampleCheck::restart(const Sample& s, double jump_s) noexcept {
+SampleDecision SampleCheck::start(const Sample& s, RestartReason reason, double jump_s) noexcept {
   const SampleVerdict verdict = started_ ? SampleVerdict::restarted : SampleVerdict::first;
   started_ = true;
-  last_sequence_ = s.sequence;
-  last_time_ns_ = s.source_time_ns;
-  return {verdict, 1, 0, jump_s};
+  order_.start(s.sequence);
+  clock_.start(s.source_time_ns);
+  SampleDecision decision{verdict, 1, 0, jump_s};
+  decision.reason = reason;
+  return decision;
+}
+
+bool SampleCheck::overtaken(const Sample& s, std::uint64_t behind, const Elapsed& elapsed) const noexcept {
+  if (elapsed.fits(-static_cast<double>(behind), sample_time_s_)) return true;
+  if (elapsed.told) return elapsed.dt_s < 0.0 && behind <= bound();
+  return behind <= SequenceOrder::near || (behind <= bound() && s.sequence > 1);
+}
+
+SampleDecision SampleCheck::ahead(const Sample& s, const Place& place, const Elapsed& elapsed) noexcept {
+  const std::uint64_t lost = place.ahead - 1;
+  const double by_sequence_s = sample_time_s_ * static_cast<double>(place.ahead);
+  const double gap_s = elapsed.told ? elapsed.dt_s - sample_time_s_ * elapsed.stood : by_sequence_s;
+  const bool explained = by_sequence_s <= implausible * (elapsed.told ? elapsed.dt_s : options_.restart_gap_s);
+  if (gap_s > options_.restart_gap_s || (place.ahead > bound() && !explained)) {
+    const RestartReason gap = lost == 0 ? RestartReason::time_ahead : RestartReason::gap;
+    SampleDecision decision = explained ? start(s, gap, gap_s) : start(s, RestartReason::sequence_jump, by_sequence_s);
+    if (explained) decision.lost = lost;
+    return decision;
+  }
+  order_.advance(s.sequence, place);
+  clock_.advance(s.source_time_ns, place.ahead);
+  const auto steps = static_cast<int>(std::min(place.ahead, bound()));
+  return {SampleVerdict::accepted, steps, lost, 0.0, elapsed.dt_s, elapsed.state};
 }
 
 SampleDecision SampleCheck::decide(const Sample& s) noexcept {
@@ -55,29 +70,15 @@ SampleDecision SampleCheck::decide(const Sample& s) noexcept {
   bound_ = true;
   source_id_ = s.source_id;
   if (s.writer != 0) writer_ = s.writer;
-  if (!started_) return restart(s, 0.0);
+  if (!started_) return start(s, RestartReason::source_restarted, 0.0);
 
-  const double dt_s = seconds_between(last_time_ns_, s.source_time_ns);
-  if (dt_s < -options_.restart_gap_s) return restart(s, dt_s);  // time jumped backwards: a replay began
-  if (s.sequence == last_sequence_) return {SampleVerdict::duplicate};
-  if (s.sequence < last_sequence_) {
-    // Later by its clock but lower in number: the source itself started anew. Otherwise it was overtaken on the way.
-    return dt_s > 0.0 ? restart(s, dt_s) : SampleDecision{SampleVerdict::reordered};
-  }
-  if (dt_s <= 0.0) return restart(s, dt_s);  // the source's clock was set back
-  if (dt_s > options_.restart_gap_s) {
-    const std::uint64_t lost = s.sequence - last_sequence_ - 1;
-    const bool explained = sample_time_s_ * static_cast<double>(lost) <= implausible * dt_s;
-    SampleDecision decision = restart(s, dt_s);
-    if (explained) decision.lost = lost;
-    return decision;
-  }
-  const std::uint64_t ahead = s.sequence - last_sequence_;
-  const auto bound = static_cast<std::uint64_t>(options_.restart_gap_s / sample_time_s_) + 1;
-  if (ahead > bound && sample_time_s_ * static_cast<double>(ahead) > implausible * dt_s) return restart(s, dt_s);
-  last_sequence_ = s.sequence;
-  last_time_ns_ = s.source_time_ns;
-  return {SampleVerdict::accepted, static_cast<int>(std::min(ahead, bound)), ahead - 1, 0.0, dt_s};
+  const Elapsed elapsed = clock_.elapsed(s.source_time_ns);
+  if (elapsed.dt_s < -options_.restart_gap_s) return start(s, RestartReason::time_back, elapsed.dt_s);
+  const Place place = order_.place(s.sequence, elapsed, sample_time_s_);
+  if (place.ahead > 0) return ahead(s, place, elapsed);
+  if (place.behind == 0) return {SampleVerdict::duplicate};
+  if (overtaken(s, place.behind, elapsed)) return {SampleVerdict::reordered};
+  return start(s, RestartReason::source_restarted, elapsed.dt_s);
 }
 
 }  // namespace ehm::monitor

@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "monitor/checks/sample_check.h"
+#include "monitor/checks/sample_time_watch.h"
 #include "monitor/cycle_state.h"
 
 namespace ehm::monitor {
@@ -69,6 +71,58 @@ std::string checkpoint_text(const Event& e) {
   return "the checkpoint was refused";
 }
 
+/// What came since the last sample in order, where anything did.
+std::string input_lost(const Event& e) {
+  constexpr std::pair<SampleVerdict, const char*> names[]{{SampleVerdict::duplicate, "duplicates of the last one"},
+                                                          {SampleVerdict::reordered, "older ones"},
+                                                          {SampleVerdict::malformed, "malformed ones"},
+                                                          {SampleVerdict::foreign, "those of another source"}};
+  std::string came;
+  for (const auto& [verdict, name] : names)
+    if (e.detail >> static_cast<unsigned>(verdict) & 1u) came += (came.empty() ? "" : ", ") + std::string(name);
+  if (came.empty()) return fmt::format("no sample for {:.3f} s, estimates are stale", e.value);
+  return fmt::format("no usable sample for {:.3f} s, estimates are stale; what came: {}", e.value, came);
+}
+
+std::string restart_reason(const Event& e) {
+  switch (static_cast<RestartReason>(e.detail)) {
+    case RestartReason::command:
+      return "by an operator's command";
+    case RestartReason::other_design:
+      return "with another design or other options";
+    case RestartReason::source_restarted:
+      return e.value == 0.0
+                 ? "the source restarted, its numbers begin anew"
+                 : fmt::format("the source restarted, its numbers begin anew ({:+.3f} s by its clock)", e.value);
+    case RestartReason::time_back:
+      return fmt::format("the source's time jumped back by {:.3f} s", -e.value);
+    case RestartReason::time_ahead:
+      return fmt::format("the source paused, or its time jumped ahead, by {:.3f} s; no sample is missing", e.value);
+    case RestartReason::gap:
+      return fmt::format("a gap of {:.3f} s in the source's samples, {:.4g} s are bridged", e.value, e.threshold);
+    case RestartReason::sequence_jump:
+      return fmt::format("the sequence jumped by {:.4g} s of samples, which the source's time does not explain",
+                         e.value);
+  }
+  return "for a reason that this version does not know";
+}
+
+std::string stamp_trouble(const Event& e) {
+  const char* goes_on = "steps come from the sequence, estimates go on";
+  switch (static_cast<StampState>(e.detail)) {
+    case StampState::unset:
+      return fmt::format("source_time_ns is not set (0): {}, the sample time cannot be checked", goes_on);
+    case StampState::repeated:
+      return fmt::format("source_time_ns repeats: the source's clock is coarse or stands still; {}", goes_on);
+    case StampState::set_back:
+      return fmt::format("source_time_ns stepped back by {:.3g} s: the source's clock was set or jitters; {}", -e.value,
+                         goes_on);
+    case StampState::good:
+      break;
+  }
+  return "source_time_ns does not measure time";
+}
+
 }  // namespace
 
 std::string channel_name(const Event& event, const estimation::LinearModel& model) {
@@ -91,10 +145,9 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return e.raised ? fmt::format("{} is {:.5g} {}, beyond its limit {:.5g}", c->name, e.value, c->unit, e.threshold)
                       : fmt::format("{} is back inside its limit", c->name);
     case wire::EventKind::input_lost:
-      return e.raised ? fmt::format("no sample for {:.3f} s, estimates are stale", e.value) : "samples arrive again";
+      return e.raised ? input_lost(e) : "samples arrive again";
     case wire::EventKind::filter_restart:
-      if (e.value == 0.0) return "the filter started anew (by a command, or with another design or other options)";
-      return fmt::format("the filter started anew (the source's time or sequence jumped by {:.3f} s)", e.value);
+      return "the filter started anew: " + restart_reason(e);
     case wire::EventKind::operating_point:
       return e.raised ? fmt::format(
                             "the engine flies {:.2f} times farther from the design's point than it is valid: estimates "
@@ -110,6 +163,9 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return e.raised
                  ? fmt::format("samples come every {:.4g} s, the design is made for {:.4g} s: estimates are withheld",
                                e.value, e.threshold)
+             : e.detail == SampleTimeWatch::not_measured
+                 ? "the source's stamps measure no sample time any more: estimates go on unchecked, the filter starts "
+                   "anew"
                  : "samples come in the design's time again, the filter starts anew";
     case wire::EventKind::second_source:
       if (!e.raised)
@@ -132,10 +188,18 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
         return fmt::format("sensor {} has come back from a drift, by {:+.4g} {}; the estimates follow", c->name,
                            e.value, c->unit);
       return fmt::format("sensor {} has stopped drifting", c->name);
-    case wire::EventKind::input_deadline:
-    case wire::EventKind::input_liveliness:
     case wire::EventKind::checkpoint:
       return checkpoint_text(e);
+    case wire::EventKind::source_stamps:
+      return e.raised ? stamp_trouble(e) : "the source's stamps measure time again";
+    case wire::EventKind::source_sequence:
+      return e.raised ? fmt::format(
+                            "sequence stands still: new samples carry the number {:.0f} of the one before; they "
+                            "are dropped as duplicates. Add 1 a sample",
+                            e.value)
+                      : "the sequence grows with each sample again";
+    case wire::EventKind::input_deadline:
+    case wire::EventKind::input_liveliness:
     case wire::EventKind::configuration:
     case wire::EventKind::incompatible_qos:
     case wire::EventKind::security:

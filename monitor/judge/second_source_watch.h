@@ -1,6 +1,8 @@
 #pragma once
 // Somebody else sends samples of the engine that a source already serves: said once, and ended once nobody else has for
-// `quiet` samples of the source that is followed, or when that one has fallen silent. Real-time safe: yes.
+// 3 s of the source that is followed, by its sample times, or when that one has fallen silent. Real-time safe: yes.
+
+#include <cmath>
 
 #include "monitor/judge/events.h"
 #include "monitor/sample.h"
@@ -9,6 +11,8 @@ namespace ehm::monitor {
 
 class SecondSourceWatch {
  public:
+  explicit SecondSourceWatch(double sample_time_s) : enough_(std::lround(std::ceil(quiet_s / sample_time_s - 0.01))) {}
+
   /// A sample that is not listened to, because `followed_id` is the source's.
   void foreign(const Sample& sample, std::uint32_t followed_id, EventList& events) noexcept {
     quiet_ = 0;
@@ -17,9 +21,9 @@ class SecondSourceWatch {
                     static_cast<double>(followed_id), 0},
                    events);
   }
-  /// A sample of the source that is followed.
-  void followed(EventList& events) noexcept {
-    if (condition_.raised() && ++quiet_ >= quiet) end(events);
+  /// A sample of the source that is followed, `steps` sample times after the one before.
+  void followed(int steps, EventList& events) noexcept {
+    if (condition_.raised() && (quiet_ += steps) >= enough_) end(events);
   }
   /// Nobody is followed any more; whoever sends next will be.
   void end(EventList& events) noexcept {
@@ -27,9 +31,10 @@ class SecondSourceWatch {
   }
 
  private:
-  static constexpr int quiet = 200;  // 3 s at 15 ms
+  static constexpr double quiet_s = 3.0;
+  long enough_;     ///< sample times
+  long quiet_ = 0;  ///< sample times since the other one's last sample
   Condition condition_;
-  int quiet_ = 0;
 };
 
 }  // namespace ehm::monitor

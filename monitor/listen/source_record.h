@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "engine_health.h"
+#include "monitor/checks/sequence_order.h"
 #include "monitor/listen/channel_record.h"
 
 namespace ehm::monitor {
@@ -37,7 +38,9 @@ struct SourceRecord {
   /// What was sent while the endpoints matched arrives in a burst, which says nothing of the source's pace.
   static constexpr std::uint64_t settling_samples = 33;
 
-  std::uint64_t samples = 0, lost = 0, repeated = 0, overtaken = 0, set_back = 0;
+  std::uint64_t samples = 0, in_order = 0, lost = 0, repeated = 0, overtaken = 0;
+  std::uint64_t unset = 0, stood = 0, set_back = 0;  ///< stamps of samples in order that are 0, repeat, step back
+  double longest_step_back_s = 0.0;
   IntervalRecord source, own;  ///< per sample: a gap of the sequence is divided by its length
   EngineSensors last;
   std::array<ChannelRecord, EHM_MAX_SENSORS> sensors;
@@ -55,22 +58,40 @@ struct SourceRecord {
 
  private:
   void order(const EngineSensors& s, std::int64_t received_ns) {
-    if (s.sequence_number() == last.sequence_number()) {
-      ++repeated;
+    if (samples == 2) {
+      clock_.start(last.source_time_ns());
+      order_.start(last.sequence_number());
+      unset += last.source_time_ns() == 0;
+    }
+    const Elapsed elapsed = clock_.elapsed(s.source_time_ns());
+    const Place place = order_.place(s.sequence_number(), elapsed, source.mean_s());
+    if (place.ahead == 0) {
+      ++(place.behind == 0 ? repeated : overtaken);
+      // As when the source starts anew: what comes next is compared with this one.
+      order_.start(s.sequence_number());
+      clock_.start(s.source_time_ns());
       return;
     }
-    if (s.sequence_number() < last.sequence_number()) {
-      ++overtaken;
-      return;
-    }
-    const std::uint64_t ahead = s.sequence_number() - last.sequence_number();
-    lost += ahead - 1;
-    set_back += s.source_time_ns() <= last.source_time_ns();
-    const double steps = static_cast<double>(ahead);
-    source.hear(1e-9 * (static_cast<double>(s.source_time_ns()) - static_cast<double>(last.source_time_ns())) / steps);
+    ++in_order;
+    lost += place.ahead - 1;
+    judge_stamp(elapsed);
+    order_.advance(s.sequence_number(), place);
+    clock_.advance(s.source_time_ns(), place.ahead);
+    const double steps = static_cast<double>(place.ahead);
+    if (last.source_time_ns() != 0 && s.source_time_ns() != 0)
+      source.hear(1e-9 * (static_cast<double>(s.source_time_ns()) - static_cast<double>(last.source_time_ns())) /
+                  steps);
     if (samples > settling_samples) own.hear(1e-9 * static_cast<double>(received_ns - received_ns_) / steps);
   }
+  void judge_stamp(const Elapsed& elapsed) {
+    unset += elapsed.state == StampState::unset;
+    stood += elapsed.state == StampState::repeated;
+    set_back += elapsed.state == StampState::set_back;
+    longest_step_back_s = std::max(longest_step_back_s, -elapsed.dt_s);
+  }
 
+  SourceClock clock_;
+  SequenceOrder order_;
   std::int64_t received_ns_ = 0;
 };
 

@@ -27,24 +27,53 @@ void warning(Findings& findings, std::string text) {
   findings.push_back({false, std::move(text)});
 }
 
-void check_order(const SourceRecord& s, Findings& findings) {
+constexpr std::uint64_t least_moves = 20;  // of a coarse clock, checks/sample_time_watch.h
+
+/// The steps come from the sequence; a stamp that does not measure is a warning, unless the filter restarts for it.
+void check_stamps(const SourceRecord& s, double restart_gap_s, Findings& findings) {
+  if (s.unset > 0)
+    warning(findings, fmt::format("source_time_ns is not set (0) in {} samples: the monitor takes the steps from the "
+                                  "sequence, and cannot check the sample time",
+                                  s.unset));
+  if (s.stood > 0)
+    warning(findings,
+            fmt::format("source_time_ns repeats in {} samples: the source's clock is coarse or stands still", s.stood));
+  if (s.longest_step_back_s > restart_gap_s)
+    error(findings, fmt::format("source_time_ns stepped back by up to {:.3g} s: beyond {:.3g} s the monitor's filter "
+                                "restarts",
+                                s.longest_step_back_s, restart_gap_s));
+  else if (s.set_back > 0)
+    warning(findings, fmt::format("source_time_ns steps back in {} samples, by up to {:.3g} s", s.set_back,
+                                  s.longest_step_back_s));
+}
+
+void check_order(const SourceRecord& s, double restart_gap_s, Findings& findings) {
   if (s.last.schema() != wire::schema_version)
     error(findings, fmt::format("schema is {}, this monitor reads {}", s.last.schema(), wire::schema_version));
   if (s.last.source_id() == 0) error(findings, "source_id is 0, which is reserved; number your sources from 1");
-  if (s.samples > 1 && s.source.count == 0) error(findings, "sequence_number does not grow: add 1 a sample");
-  if (s.repeated > 0 && s.source.count > 0)
+  if (s.samples > 1 && s.in_order == 0) error(findings, "sequence_number does not grow: add 1 a sample");
+  if (s.repeated > 0 && s.in_order > 0)
     warning(findings, fmt::format("{} samples repeat the sequence_number before", s.repeated));
   if (s.overtaken > 0) warning(findings, fmt::format("{} samples came after a later one", s.overtaken));
   if (s.lost > 0) warning(findings, fmt::format("{} samples are missing in the sequence", s.lost));
-  if (s.set_back > 0)
-    error(findings,
-          fmt::format("source_time_ns did not grow in {} samples: stamp each when it was measured", s.set_back));
+  check_stamps(s, restart_gap_s, findings);
+}
+
+/// Where the stamps measure nothing, the monitor cannot tell another rate; we can.
+void check_own_times(const SourceRecord& s, double sample_time_s, Findings& findings) {
+  if (s.own.count > samples_for_noise && std::abs(s.own.mean_s() / sample_time_s - 1.0) > SampleTimeWatch::tolerance)
+    error(findings, fmt::format("samples come every {:.6g} s by our clock, the design has {:.6g} s, and the stamps do "
+                                "not tell the monitor",
+                                s.own.mean_s(), sample_time_s));
 }
 
 void check_times(const SourceRecord& s, double sample_time_s, double stale_s, Findings& findings) {
-  if (s.source.count == 0) return;
+  if (s.in_order == 0) return;
   const double source = s.source.mean_s() / sample_time_s, own = s.own.mean_s() / sample_time_s;
-  if (std::abs(source - 1.0) > SampleTimeWatch::tolerance) {
+  const std::uint64_t silent = s.stood + s.unset;
+  if (silent > 0 && s.in_order - std::min(s.in_order, silent) < least_moves) {
+    check_own_times(s, sample_time_s, findings);
+  } else if (std::abs(source - 1.0) > SampleTimeWatch::tolerance) {
     std::string hint = "the monitor withholds estimates of samples in another rate";
     for (const auto& [unit, factor] : {std::pair{"seconds", 1e-9}, {"milliseconds", 1e-6}, {"microseconds", 1e-3}})
       if (std::abs(source / factor - 1.0) < SampleTimeWatch::tolerance)
@@ -133,7 +162,7 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
   const estimation::LinearModel& model = design.model;
   WiringReport report;
   Findings& findings = report.findings;
-  check_order(s, findings);
+  check_order(s, options.checks.restart_gap_s, findings);
   check_times(s, model.sample_time_s, options.stale_periods * model.sample_time_s, findings);
   SourceFit fit;
   if (description) {

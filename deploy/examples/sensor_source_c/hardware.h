@@ -25,7 +25,7 @@ struct hardware {
 
 /* One sample: what acts from now on, and what was measured at time_ns. */
 struct measurement {
-  int64_t time_ns; /* of the measurement, nanoseconds since 1970 by your clock; must grow */
+  int64_t time_ns; /* of the measurement, nanoseconds since 1970 by your clock; should grow, 0: no clock */
   double altitude_m, mach, delta_isa_k;
   double actuator[MAX_ACTUATORS];
   double sensor[MAX_SENSORS];

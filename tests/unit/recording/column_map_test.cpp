@@ -50,6 +50,15 @@ class ColumnMapTest : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(ColumnMapTest, TimesRiseUnlessItSaysTheyMayRepeat) {
+  const std::string by_column = "[file]\nseparator = \"blank\"\nheader = false\nengine_id = 1\ntime_column = 2\n";
+  EXPECT_FALSE(read(by_column + channels_part).time_may_repeat);
+  EXPECT_TRUE(read(by_column + "time_may_repeat = true\n" + channels_part).time_may_repeat);
+  EXPECT_THAT(error_of(by_column + "time_may_repeat = 1\n" + channels_part), HasSubstr("time_may_repeat"));
+  EXPECT_THAT(error_of(std::string(file_part) + "time_may_repeat = true\n" + channels_part),
+              HasSubstr("time_may_repeat"));  // sample_time_s leaves nothing to repeat
+}
+
 TEST_F(ColumnMapTest, IsReadInTheOrderOfTheWire) {
   const ColumnMap map = read(std::string(file_part) + channels_part);
   EXPECT_EQ(map.separator, files::Separator::blank);

@@ -88,6 +88,31 @@ TEST_F(CsvRowsTest, NamedColumnsOfACommaSeparatedFile) {
   EXPECT_THAT(error_of("a,b,alt,M,Wf,T24 [R],T30\n", map), HasSubstr("x.txt: has no row below its header"));
 }
 
+TEST_F(CsvRowsTest, TimesMayRepeatWhereTheMapSaysSo) {
+  // A clock of 30 ms, samples every 10 ms, and one step back.
+  const auto line = [](const char* time) { return std::string("1 ") + time + " 35 0.8 2 900 1400\n"; };
+  const std::string text = line("5.00") + line("5.00") + line("5.00") + line("5.03") + line("5.02") + line("5.03") +
+                           line("5.06") + line("5.06");
+  EXPECT_THAT(error_of(text),
+              HasSubstr("x.txt:2: column 2 is '5.00', allowed is a later time than in the row of engine "
+                        "1 before; if it is a coarse clock's, the column map's [file] may say "
+                        "time_may_repeat = true"));
+  ColumnMap map = example_map();
+  map.time_may_repeat = true;
+  const auto rows = read(text, map);
+  ASSERT_EQ(rows.size(), 8u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].a.sequence, static_cast<std::int64_t>(i));
+    EXPECT_EQ(rows[i].a.received_ns, 5'000'000'000 + static_cast<std::int64_t>(i) * 10'000'000) << i;
+  }
+  EXPECT_EQ(rows[1].a.source_time_ns, 5'000'000'000);
+  EXPECT_EQ(rows[4].a.source_time_ns, 5'020'000'000);
+  EXPECT_THAT(error_of(line("5") + line("2.9"), map),
+              HasSubstr("x.txt:2: column 2 is '2.9', allowed is a time at most"));
+  EXPECT_THAT(error_of(line("5") + line("5") + line("5"), map),
+              HasSubstr("the time of engine 1 never rises; the column map's [file] needs sample_time_s"));
+}
+
 TEST_F(CsvRowsTest, MistakesAreNamedWithLineColumnAndValue) {
   const std::string good = "1 0 35 0.8 2 900 1400\n";
   EXPECT_THAT(error_of(good + "1 1 35 0.8 2 900\n"), HasSubstr("x.txt:2: 6 cells found, 7 expected"));

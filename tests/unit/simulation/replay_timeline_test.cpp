@@ -33,6 +33,30 @@ TEST(ReplayTimeline, AClockThatStandsStepsOrJumpsYieldsToTheReceptions) {
   EXPECT_EQ(timeline.due_ns(row(1, 9000 * s + 15 * ms, 5 * s)), 3045 * ms);           // never back
 }
 
+TEST(ReplayTimeline, TheTicksOfACoarseClockLengthenNothing) {
+  // Samples every 15 ms, stamped by a clock of 20 ms: 60 s of flight take 60 s, within one tick.
+  engine::ReplayTimeline timeline;
+  std::int64_t due_ns = 0, before_ns = 0;
+  for (std::int64_t k = 0; k <= 4000; ++k) {
+    due_ns = timeline.due_ns(row(1, 100 * s + k * 15 / 20 * 20 * ms, 5 * s + k * 15 * ms));
+    EXPECT_LE(due_ns - before_ns, 20 * ms);
+    before_ns = due_ns;
+  }
+  EXPECT_NEAR(1e-9 * static_cast<double>(due_ns), 60.0, 0.02);
+}
+
+TEST(ReplayTimeline, AClockThatStoodAndGoesOnFromThereIsNotCaughtUp) {
+  engine::ReplayTimeline timeline;
+  for (std::int64_t k = 0; k <= 100; ++k) timeline.due_ns(row(1, 100 * s, 5 * s + k * 15 * ms));
+  EXPECT_EQ(timeline.due_ns(row(1, 100 * s + 15 * ms, 5 * s + 1515 * ms)), 1500 * ms);
+  EXPECT_EQ(timeline.due_ns(row(1, 100 * s + 30 * ms, 5 * s + 1530 * ms)), 1515 * ms);
+}
+
+TEST(ReplayTimeline, StampsThatAreNotSetYieldToTheReceptions) {
+  engine::ReplayTimeline timeline;
+  for (std::int64_t k = 0; k <= 200; ++k) EXPECT_EQ(timeline.due_ns(row(1, 0, 5 * s + k * 15 * ms)), k * 15 * ms);
+}
+
 TEST(ReplayTimeline, EnginesKeepTheirOrder) {
   engine::ReplayTimeline timeline;
   timeline.due_ns(row(1, 100 * s, 5 * s));

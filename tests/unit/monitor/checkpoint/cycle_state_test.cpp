@@ -143,6 +143,37 @@ TEST_F(CycleStateTest, OnlyASampleThatContinuesTheStreamResumes) {
   EXPECT_EQ(second_.filter().health(), MonitorCycle(design_, CycleOptions{}).filter().health());  // untouched
 }
 
+TEST_F(CycleStateTest, WithoutStampsTheSequenceTellsTheGap) {
+  fly(settled);
+  CycleState state = snapshot();
+  state.source_time_ns = 0;
+  Sample next = flight_->next();
+  next.source_time_ns = 0;
+  next.sequence = state.sequence + 200;
+  const double sample_time_s = design_->model.sample_time_s;
+  const Continuation c = continuation(state, next, sample_time_s, max_gap_s);
+  EXPECT_EQ(c.verdict, Resumption::taken);
+  EXPECT_NEAR(c.gap_s, 3.0, 1e-9);  // 200 times 15 ms
+  EXPECT_EQ(c.ahead, 200u);
+  next.sequence = state.sequence + 4001;  // 60 s are allowed
+  EXPECT_EQ(continuation(state, next, sample_time_s, max_gap_s).verdict, Resumption::too_old);
+  next.sequence = 0;
+  EXPECT_EQ(continuation(state, next, sample_time_s, max_gap_s).verdict, Resumption::not_later);
+}
+
+TEST_F(CycleStateTest, ACounterThatWrappedInBetweenContinuesTheStream) {
+  fly(settled);
+  CycleState state = snapshot();
+  state.sequence = 65530;
+  Sample next = flight_->next();
+  next.sequence = 94;  // 100 samples later
+  next.source_time_ns = state.source_time_ns + 1'500'000'000;
+  const Continuation c = continuation(state, next, design_->model.sample_time_s, max_gap_s);
+  EXPECT_EQ(c.verdict, Resumption::taken);
+  EXPECT_EQ(c.ahead, 100u);
+  EXPECT_EQ(second_.resume(state, next, max_gap_s), Resumption::taken);
+}
+
 TEST_F(CycleStateTest, AStateOfAnotherShapeIsRefused) {
   fly(settled);
   const Sample next = flight_->next();

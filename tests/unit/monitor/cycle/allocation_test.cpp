@@ -50,7 +50,8 @@ TEST(Allocation, NoneOnTheCyclePath) {
   const auto design = test::made_up_design();
   test::Flight flight(design->model, Eigen::VectorXd::Constant(10, -0.01), 1);
   monitor::MonitorCycle cycle(design, monitor::CycleOptions{});
-  // The flight visits every branch: converging, bridging, excluded sensor, no design, off design, shift, gap, restart.
+  // The flight visits every branch: converging, bridging, excluded sensor, no design, off design, shift, gap, restart,
+  // a sequence that stands, stamps that are not set.
   std::vector<monitor::Sample> samples;
   for (int k = 0; k < 6000; ++k) {
     if (k == 1500) flight.set_health(Eigen::VectorXd::Constant(10, -0.05));
@@ -59,6 +60,8 @@ TEST(Allocation, NoneOnTheCyclePath) {
     if (k >= 3500 && k < 3600) s.sensor_valid &= ~0b11u;
     if (k >= 2900 && k < 3000) s.sensor[2] += 8.0 * design->model.sensor_noise_sigma(2);
     if (k >= 4500 && k < 4510) s.actuator[0] *= 1.5;
+    if (k >= 4700 && k < 4720) s.sequence = 4699;
+    if (k >= 4800 && k < 4900) s.source_time_ns = 0;
     if (k >= 5000 && k < 5010) continue;
     if (k >= 5500) s.source_time_ns -= 60'000'000'000;
     samples.push_back(s);

@@ -1,7 +1,10 @@
 #include "monitor/dds/event_text.h"
-#include "monitor/dds/printable.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include "monitor/checks/sample_check.h"
+#include "monitor/checks/sample_time_watch.h"
+#include "monitor/dds/printable.h"
 
 namespace {
 
@@ -38,6 +41,62 @@ TEST(EventText, SaysWhatHappenedToWhichChannel) {
   EXPECT_EQ(text({EventKind::input_lost, 0, true, 0.0461, 0.045, 0}), "no sample for 0.046 s, estimates are stale");
   EXPECT_EQ(text({EventKind::no_design, 0, true, 2.0, 1.0, 0}),
             "2 sensors are faulty and no design flies without them: estimates are withheld");
+}
+
+TEST(EventText, SaysWhyTheFilterStartedAnew) {
+  using monitor::RestartReason;
+  const auto restart = [](RestartReason reason, double seconds) {
+    return text({EventKind::filter_restart, 0, true, seconds, 2.0, static_cast<std::uint32_t>(reason)});
+  };
+  EXPECT_EQ(restart(RestartReason::command, 0.0), "the filter started anew: by an operator's command");
+  EXPECT_EQ(restart(RestartReason::other_design, 0.0), "the filter started anew: with another design or other options");
+  EXPECT_EQ(restart(RestartReason::source_restarted, 0.2),
+            "the filter started anew: the source restarted, its numbers begin anew (+0.200 s by its clock)");
+  EXPECT_EQ(restart(RestartReason::source_restarted, 0.0),
+            "the filter started anew: the source restarted, its numbers begin anew");
+  EXPECT_EQ(restart(RestartReason::time_back, -50.0),
+            "the filter started anew: the source's time jumped back by 50.000 s");
+  EXPECT_EQ(restart(RestartReason::time_ahead, 99.5),
+            "the filter started anew: the source paused, or its time jumped ahead, by 99.500 s; no sample is missing");
+  EXPECT_EQ(restart(RestartReason::gap, 3.0),
+            "the filter started anew: a gap of 3.000 s in the source's samples, 2 s are bridged");
+  EXPECT_EQ(restart(RestartReason::sequence_jump, 15000.0),
+            "the filter started anew: the sequence jumped by 1.5e+04 s of samples, which the source's time does not "
+            "explain");
+}
+
+TEST(EventText, SaysWhatIsWrongWithStampsAndNumbers) {
+  using monitor::StampState;
+  using testing::HasSubstr;
+  const auto stamps = [](StampState state, double seconds) {
+    return text({EventKind::source_stamps, 0, true, seconds, 0.0, static_cast<std::uint32_t>(state)});
+  };
+  EXPECT_THAT(stamps(StampState::unset, 0.0), HasSubstr("source_time_ns is not set (0)"));
+  EXPECT_THAT(stamps(StampState::repeated, 0.0), HasSubstr("source_time_ns repeats"));
+  EXPECT_THAT(stamps(StampState::set_back, -0.005), HasSubstr("source_time_ns stepped back by 0.005 s"));
+  EXPECT_EQ(text({EventKind::source_stamps, 0, false, 0.0, 0.0, 0}), "the source's stamps measure time again");
+  EXPECT_THAT(text({EventKind::source_sequence, 0, true, 499.0, 0.0, 0}),
+              HasSubstr("sequence stands still: new samples carry the number 499 of the one before"));
+  EXPECT_THAT(text({EventKind::sample_time, 0, false, 0.0, 0.015, monitor::SampleTimeWatch::not_measured}),
+              HasSubstr("measure no sample time any more"));
+}
+
+TEST(EventText, LostInputSaysWhatCameInstead) {
+  using monitor::SampleVerdict;
+  const auto bit = [](SampleVerdict verdict) { return 1u << static_cast<unsigned>(verdict); };
+  EXPECT_EQ(text({EventKind::input_lost, 0, true, 0.0461, 0.045, bit(SampleVerdict::malformed)}),
+            "no usable sample for 0.046 s, estimates are stale; what came: malformed ones");
+  EXPECT_EQ(
+      text(
+          {EventKind::input_lost, 0, true, 0.0461, 0.045, bit(SampleVerdict::duplicate) | bit(SampleVerdict::foreign)}),
+      "no usable sample for 0.046 s, estimates are stale; what came: duplicates of the last one, those of another "
+      "source");
+}
+
+TEST(EventText, WhatIsToldElsewhereIsNoCheckpoint) {
+  for (const EventKind kind : {EventKind::input_deadline, EventKind::input_liveliness, EventKind::configuration,
+                               EventKind::incompatible_qos, EventKind::security})
+    EXPECT_EQ(text({kind, 0, true, 0.1, 0.1, 0}), "unknown event");
 }
 
 TEST(EventText, NamesTheChannelOnlyWhereThereIsOne) {

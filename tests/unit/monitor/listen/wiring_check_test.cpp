@@ -112,7 +112,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "error: sequence_number does not grow"},
         Mistake{"gap", [](auto k, auto& s) { s.sequence_number(k < 100 ? k : k + 3); },
                 "warning: 3 samples are missing"},
-        Mistake{"constant_time", [](auto, auto& s) { s.source_time_ns(7); }, "error: source_time_ns did not grow"},
+        Mistake{"constant_time", [](auto, auto& s) { s.source_time_ns(7); },
+                "warning: source_time_ns repeats in 199 samples"},
+        Mistake{"unset_time", [](auto, auto& s) { s.source_time_ns(0); },
+                "warning: source_time_ns is not set (0) in 200 samples"},
+        Mistake{"coarse_time",
+                [](auto k, auto& s) { s.source_time_ns(1 + static_cast<std::int64_t>(k) * 15 / 20 * 20'000'000); },
+                "warning: source_time_ns repeats in 50 samples"},
+        Mistake{"ntp", [](auto k, auto& s) { s.source_time_ns(s.source_time_ns() - (k < 100 ? 0 : 20'000'000)); },
+                "warning: source_time_ns steps back in 1 samples, by up to 0.005 s"},
+        Mistake{"set_back",
+                [](auto k, auto& s) { s.source_time_ns(s.source_time_ns() - (k < 100 ? 0 : 60'000'000'000)); },
+                "error: source_time_ns stepped back by up to 60 s: beyond 2 s the monitor's filter restarts"},
         Mistake{"microseconds", [](auto k, auto& s) { s.source_time_ns(static_cast<std::int64_t>(k) * 15'000); },
                 "it looks like microseconds, nanoseconds are needed"},
         Mistake{"rate", [](auto k, auto& s) { s.source_time_ns(static_cast<std::int64_t>(k) * 20'000'000); },
@@ -147,6 +158,27 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"elsewhere", [](auto, auto& s) { s.altitude_m(5000.0); },
                 "warning: the engine is not at the design's point"}),
     [](const auto& test) { return test.param.name; });
+
+TEST(WiringCheck, StampsThatDoNotMeasureAreNoError) {
+  for (const Change& change :
+       {Change([](auto, auto& s) { s.source_time_ns(0); }), Change([](auto, auto& s) { s.source_time_ns(7); })})
+    EXPECT_FALSE(check_wiring(fly(change), small_design(), CycleOptions{}, nullptr).has_error());
+}
+
+TEST(WiringCheck, WithoutStampsAnotherRateShowsInOurOwnClock) {
+  design::Design faster = small_design();
+  faster.model.sample_time_s = 0.01;
+  const auto record = fly([](auto, auto& s) { s.source_time_ns(0); });
+  const auto findings = check_wiring(record, faster, CycleOptions{}, nullptr).findings;
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
+    return f.error && f.text.find("samples come every 0.015 s by our clock, the design has 0.01 s") == 0;
+  }));
+}
+
+TEST(WiringCheck, ACounterThatWrapsIsInOrder) {
+  const auto record = fly([](auto k, auto& s) { s.sequence_number((k + 200) % 256); });
+  EXPECT_EQ(found(record), "");
+}
 
 TEST(WiringCheck, OffTheDesignsPointPlausibilityIsAHintOnly) {
   const auto swapped = fly([](auto, auto& s) {
