@@ -34,8 +34,15 @@ inline constexpr std::array event_kind_names{"?",
                                              "input_liveliness",
                                              "incompatible_qos",
                                              "recording",
-                                             "security"};
-static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::security) + 1);
+                                             "security",
+                                             "?",
+                                             "?",
+                                             "?",
+                                             "?",
+                                             "?",
+                                             "condition_fault",
+                                             "slow_sensor"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::slow_sensor) + 1);
 
 inline constexpr std::array<std::pair<std::uint32_t, const char*>, 5> estimate_flag_names{
     {{estimate_flag::converging, "converging"},

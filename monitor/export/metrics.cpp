@@ -164,8 +164,8 @@ MetricFamily events(const Fleet& fleet) {
       "ehm_events_total", "Conditions that began, by kind.", MetricType::Counter,
       [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
         for (std::size_t kind = 1; kind < wire::event_kind_names.size(); ++kind)
-          f.metric.push_back(
-              sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
+          if (const std::string name = wire::event_kind_names[kind]; name != "?")
+            f.metric.push_back(sample(fleet.labels(id, "kind", name), number(engine.raised[kind])));
       },
       true);
 }
