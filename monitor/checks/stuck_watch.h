@@ -43,6 +43,7 @@ class StuckWatch {
   static std::int64_t stated_limit(const SensorKind& kind) {
     const double p = std::erf(kind.resolution / (std::sqrt(8.0) * kind.noise_sigma));
     if (!(p > 0.0)) return kind.least;
+    if (p >= 1.0) return never;
     const double n = 1.0 + std::log(negligible) / std::log(p);
     return n < longest_limit ? std::max<std::int64_t>(kind.least, std::llround(std::ceil(n))) : never;
   }

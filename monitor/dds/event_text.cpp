@@ -69,11 +69,12 @@ std::pair<std::string, std::string> word_of(const Event& e, const estimation::Li
 std::string condition_fault(const Event& e, const estimation::LinearModel& model) {
   const auto [name, unit] = word_of(e, model);
   if (!e.raised) return fmt::format("{} is good again", name);
+  const std::string value = fmt::format("{:.6g}{}{}", e.value, unit.empty() ? "" : " ", unit);
   if (e.detail == 0)
-    return fmt::format("{} jumped from {:.6g} to {:.6g} {} between two samples and stays there: it is believed", name,
-                       e.threshold, e.value, unit);
-  return fmt::format("{} is lost: it is {:.6g} {}, for longer than checks.bridge_samples allows: estimates are withheld",
-                     name, e.value, unit);
+    return fmt::format("{} jumped from {:.6g} to {} between two samples and stays there: it is believed", name,
+                       e.threshold, value);
+  return fmt::format("{} is lost: it is {}, for longer than checks.bridge_samples allows: estimates are withheld", name,
+                     value);
 }
 
 /// What became of a readable checkpoint at the engine's first sample; of an unreadable one the file's reader tells.
@@ -164,9 +165,8 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return condition_fault(e, model);
     case wire::EventKind::slow_sensor:
       if (!e.raised) return fmt::format("sensor {} is updated with each sample again", c->name);
-      return fmt::format("sensor {} is updated every {:.3g} s, the design takes it as every {:.3g} s: each value is used "
-                         "once, and its share of the estimates is so much slower; state update_period_s for it in the "
-                         "model and design anew",
+      return fmt::format("sensor {} is updated every {:.3g} s, the design has {:.3g} s: each value is used once, and its "
+                         "share of the estimates is slower; state its update_period_s and design anew",
                          c->name, e.value, e.threshold);
     case wire::EventKind::input_deadline:
     case wire::EventKind::input_liveliness:

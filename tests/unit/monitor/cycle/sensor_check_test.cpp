@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-
+#include <random>
 #include <stdexcept>
 
 #include "idl/wire_values.h"
-#include "tests/unit/tuner_design/test_models.h"
 
 namespace {
 
@@ -52,8 +51,9 @@ TEST_F(SensorCheckTest, RateCountsTheTimeSinceTheLastValue) {
 }
 
 TEST_F(SensorCheckTest, ANoisySensorIsStuckAfterTwentyEqualValuesAndFreeWithTheNextOther) {
-  test::Random random(1);
-  for (int i = 0; i < 100; ++i) offer(1000.0 + 5.0 * random.normal());
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 100; ++i) offer(1000.0 + 5.0 * normal(random));
   for (int i = 0; i < 19; ++i) EXPECT_EQ(offer(1000.0), 0u) << i;
   EXPECT_EQ(offer(1000.0), reason::stuck);
   EXPECT_EQ(offer(1000.5), 0u);
@@ -81,9 +81,10 @@ TEST(SensorCheck, TheOperatorsLimitReplacesTheRule) {
   EXPECT_EQ(early.reasons(s, 0, 1), reason::stuck);
 
   SensorCheck never(CheckOptions{}, {{.name = "T30", .stuck_samples = 0}}, one_sensor(1000.0));
-  test::Random random(1);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
   for (int i = 0; i < 100; ++i) {
-    s.sensor[0] = 1000.0 + random.normal();
+    s.sensor[0] = 1000.0 + normal(random);
     never.reasons(s, 0, 1);
   }
   for (int i = 0; i < 5000; ++i) ASSERT_EQ(never.reasons(s, 0, 1), 0u) << i;

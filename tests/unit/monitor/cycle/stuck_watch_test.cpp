@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "tests/unit/tuner_design/test_models.h"
+#include <random>
 
 namespace {
 
-using namespace ehm;
-using monitor::SensorKind;
-using monitor::StuckWatch;
+using ehm::monitor::SensorKind;
+using ehm::monitor::StuckWatch;
 
 constexpr int hour = 240'000;  // samples of 15 ms
 
@@ -18,13 +16,14 @@ constexpr int hour = 240'000;  // samples of 15 ms
 struct Healthy {
   double sigma = 1.0, resolution = 0.0;
   int held = 1;
-  test::Random random{3};
+  std::mt19937_64 random{3};
+  std::normal_distribution<double> normal{};
   double value = 0.0;
   int count = 0;
 
   double next() {
     if (count++ % held == 0) {
-      value = 700.3 + sigma * random.normal();
+      value = 700.3 + sigma * normal(random);
       if (resolution > 0.0) value = resolution * std::round(value / resolution);
     }
     return value;
