@@ -24,7 +24,7 @@ void MonitorCycle::detect() noexcept {
   present &= filter_.sensors();
   declared_ = {};
   ungated_.step(filter_, present, result_.fused);
-  if (have_design_) declare(faults_.step(ungated_.innovation(), present, steps_));
+  if (have_design_ && !slow_start()) declare(faults_.step(ungated_.innovation(), present, steps_));
   settle_ambiguity(false);
 }
 

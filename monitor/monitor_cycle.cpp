@@ -1,5 +1,6 @@
 #include "monitor/monitor_cycle.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "idl/wire_values.h"
@@ -32,7 +33,8 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       sample_time_(design_->model.sample_time_s),
       stamp_watch_(design_->model.sample_time_s),
       sequence_watch_(design_->model.sample_time_s),
-      sensor_check_(options.checks, design_->model),
+      condition_check_(options.checks, design_->model),
+      sensor_check_(options.checks, options.sensors, design_->model),
       qualification_(static_cast<std::size_t>(sensors_)),
       gated_(static_cast<std::size_t>(sensors_)),
       validity_(options.validity, design_->model),
@@ -46,6 +48,7 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       du_previous_(actuators_),
       actuator_trim_(trims<estimation::ActuatorVector>(design_->model.controls)),
       sensor_fault_(static_cast<std::size_t>(sensors_)),
+      slow_sensor_(static_cast<std::size_t>(sensors_)),
       second_source_(design_->model.sample_time_s) {
   no_residuals();
 }
@@ -58,7 +61,7 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   check_sensors(sample, decision.steps);
   const bool was_valid = valid_;
   const bool in_time = sample_time_.judge(decision, events_);
-  valid_ = validity_.judge(sample, events_) && in_time;
+  valid_ = validity_.judge(mended_, events_) && in_time && usable_;
   if (!valid_) {
     withhold();
     return true;
@@ -77,7 +80,8 @@ void MonitorCycle::judge() noexcept {
   if (!valid_) return;
   detect();
   if (!have_design_) return shift_.reset();
-  const bool wait = faults_.pending() || ambiguous_.raised() || declared_.kind != FaultKind::none;
+  const bool wait =
+      faults_.pending() || ambiguous_.raised() || declared_.kind != FaultKind::none || slow_start();
   shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), wait, events_);
   if (filter_.sensor_set().is_full() && error_.settled()) slow_bias_.judge(filter_.tuners(), events_);
   limits_.judge(filter_.health(), filter_.auxiliary(), events_);
@@ -114,7 +118,10 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
   sequence_watch_.in_order(sample, events_);
   stamp_watch_.judge(decision, events_);
   dropped_ = 0;
-  for (int i = 0; i < actuators_; ++i) du_(i) = sample.actuator[static_cast<std::size_t>(i)] - actuator_trim_(i);
+  mended_ = sample;
+  usable_ = condition_check_.mend(mended_, decision.steps, events_);
+  counters_.sensor_rejections += condition_check_.replaced();
+  for (int i = 0; i < actuators_; ++i) du_(i) = mended_.actuator[static_cast<std::size_t>(i)] - actuator_trim_(i);
   if (decision.verdict != SampleVerdict::accepted) du_previous_ = du_;
   return true;
 }
@@ -134,6 +141,7 @@ void MonitorCycle::restart_filter() noexcept {
 void MonitorCycle::restart(RestartReason reason, double jump_s) noexcept {
   ++counters_.restarts;
   restart_filter();
+  condition_check_.reset(events_);
   sensor_check_.reset();
   for (auto& q : qualification_) q.reset();
   for (std::size_t i = 0; i < sensor_fault_.size(); ++i)
@@ -158,6 +166,22 @@ void MonitorCycle::check_sensors(const Sample& sample, int steps) noexcept {
     result_.reason[s] = sensor_check_.reasons(sample, i, steps);
     const bool present = !(result_.reason[s] & (reason::source_invalid | reason::not_finite));
     dy_(i) = present ? sample.sensor[s] - sensor_trim_(i) : std::numeric_limits<double>::quiet_NaN();
+  }
+  watch_holds();
+}
+
+/// A slow sensor that the design takes for a fast one: each value is fused once, so that its noise counts once. Its
+/// share of the filter is slower by as much, and so are the error that is published and those who wait for it.
+void MonitorCycle::watch_holds() noexcept {
+  const double sample_time_s = design_->model.sample_time_s;
+  slowness_ = 1;
+  for (int i = 0; i < sensors_; ++i) {
+    const std::int64_t hold = sensor_check_.untold_hold(i);
+    slowness_ = std::max(slowness_, hold);
+    slow_sensor_[static_cast<std::size_t>(i)].set(hold > 1,
+                                                  {wire::EventKind::slow_sensor, static_cast<std::uint32_t>(i), false,
+                                                   sample_time_s * static_cast<double>(hold), sample_time_s, 0},
+                                                  events_);
   }
 }
 
@@ -212,7 +236,7 @@ void MonitorCycle::gate() noexcept {
     const auto s = static_cast<std::size_t>(i);
     const bool held_back = have_design_ && i == missing && plausible[s] && result_.ratio(i) > 1.0;
     // The gate keeps wild values out. What lasts longer is the fault detector's to name, once it listens.
-    gated_[s] = in_use.rejected[s] ? gated_[s] + 1 : 0;
+    if (result_.reason[s] != reason::repeated) gated_[s] = in_use.rejected[s] ? gated_[s] + 1 : 0;
     const bool suspect = plausible[s] && faults_.suspect() == i;
     const bool wild = in_use.rejected[s] && (!faults_.armed() || gated_[s] <= options_.checks.bridge_samples);
     if (wild || suspect || held_back) result_.reason[s] |= reason::innovation_gate;
@@ -223,13 +247,21 @@ void MonitorCycle::qualify() noexcept {
   for (int i = 0; i < sensors_; ++i) {
     const auto s = static_cast<std::size_t>(i);
     const std::uint32_t why = result_.reason[s];
+    if (why == reason::repeated) {  // no news, neither good nor bad
+      if (qualification_[s].state() == Qualification::State::excluded) result_.reason[s] |= reason::excluded;
+      continue;
+    }
     const bool only_wild = why == reason::innovation_gate && faults_.armed() &&
                            qualification_[s].state() != Qualification::State::excluded;
     const bool excluded =
         qualification_[s].observe(why == 0 || only_wild, options_.checks) == Qualification::State::excluded;
-    sensor_fault_[s].set(
-        excluded, {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false, result_.ratio(i), 1.0, why},
-        events_);
+    const StuckWatch& stuck = sensor_check_.stuck(i);
+    const bool is_stuck = why & reason::stuck;
+    sensor_fault_[s].set(excluded,
+                         {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false,
+                          is_stuck ? static_cast<double>(stuck.run()) : result_.ratio(i),
+                          is_stuck ? static_cast<double>(stuck.limit()) : 1.0, why},
+                         events_);
     if (excluded) result_.reason[s] |= reason::excluded;
     counters_.sensor_rejections += result_.reason[s] != 0;
   }
@@ -245,6 +277,8 @@ void MonitorCycle::update() noexcept {
     result_.rejected[s] = !fuse;
   }
   filter_.update(result_.fused);
+  if (++slow_samples_ < slowness_) return;
+  slow_samples_ = 0;
   error_.step();
 }
 
@@ -278,7 +312,10 @@ std::uint32_t MonitorCycle::estimate_flags() const noexcept {
   namespace flag = wire::estimate_flag;
   std::uint32_t flags = 0;
   if (!error_.settled()) flags |= flag::converging;
-  if ((result_.fused & filter_.sensors()) != filter_.sensors()) flags |= flag::bridging;
+  estimation::SensorMask served = result_.fused;
+  for (int i = 0; i < sensors_; ++i)
+    if (result_.reason[static_cast<std::size_t>(i)] == reason::repeated) served.set(static_cast<std::size_t>(i));
+  if ((served & filter_.sensors()) != filter_.sensors() || condition_check_.replaced() > 0) flags |= flag::bridging;
   if (!filter_.sensor_set().is_full()) flags |= flag::degraded;
   if (!valid_) flags |= flag::off_design;
   if (shift_.raised()) flags |= flag::shifted;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "monitor/checks/condition_check.h"
 #include "monitor/checks/innovation_gate.h"
 #include "monitor/checks/qualification.h"
 #include "monitor/checks/return_gate.h"
@@ -46,7 +47,7 @@ struct CycleCounters {
   std::uint64_t duplicated = 0, reordered = 0, malformed = 0;
   std::uint64_t foreign = 0;   ///< from a second source of the same engine
   std::uint64_t withheld = 0;  ///< accepted, but no honest estimate: off design, or no design for the sensors left
-  std::uint64_t sensor_rejections = 0;
+  std::uint64_t sensor_rejections = 0;  ///< values that were not fused; words of flight and actuators replaced
   std::uint64_t restarts = 0;
 };
 
@@ -117,6 +118,8 @@ class MonitorCycle {
   void restart(RestartReason reason, double jump_s) noexcept;
   void restart_filter() noexcept;
   void check_sensors(const Sample& sample, int steps) noexcept;
+  void watch_holds() noexcept;
+  bool slow_start() const noexcept { return slowness_ > 1 && !error_.settled(); }
   void no_residuals() noexcept;
   void withhold() noexcept;
   void predict() noexcept;
@@ -149,6 +152,7 @@ class MonitorCycle {
   SampleTimeWatch sample_time_;
   StampWatch stamp_watch_;
   SequenceWatch sequence_watch_;
+  ConditionCheck condition_check_;
   SensorCheck sensor_check_;
   std::vector<Qualification> qualification_;
   std::vector<std::int64_t> gated_;  ///< values in a row that only the innovation gate held back, by sensor
@@ -167,7 +171,10 @@ class MonitorCycle {
   int steps_ = 1;            ///< sample times from the sample before to this one
   bool valid_ = true;        ///< the design's point is near enough
   bool have_design_ = true;  ///< for the sensors that are left
-  std::vector<Condition> sensor_fault_;
+  Sample mended_;            ///< the latest sample, bad words of flight and actuators replaced
+  bool usable_ = true;       ///< there was something to replace them by
+  std::int64_t slowness_ = 1, slow_samples_ = 0;  ///< longest hold that the design does not know; samples of it so far
+  std::vector<Condition> sensor_fault_, slow_sensor_;
   Condition no_design_, input_lost_, ambiguous_;
   std::uint32_t dropped_ = 0;  ///< verdicts on what came since the last sample in order; bit i: SampleVerdict i
   SecondSourceWatch second_source_;

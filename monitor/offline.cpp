@@ -123,7 +123,7 @@ class OfflineRun {
   static std::string list(const std::vector<recording::Channel>& channels) {
     std::string text;
     for (const auto& channel : channels) text += (text.empty() ? "" : ", ") + channel.name;
-    return text;
+    return text.empty() ? "none" : text;
   }
 
   EngineSlot& slot_of(const Row& row) {

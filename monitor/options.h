@@ -11,12 +11,20 @@ struct CheckOptions {
   std::int64_t source_id = 0;            ///< the only source that is followed; 0: the first that speaks
   double range_percent = 60.0;           ///< a sensor farther from its trim is out of range, percent of trim
   double rate_percent = 12.0;            ///< a larger step between samples is impossible, percent of trim
-  std::int64_t stuck_samples = 20;       ///< as many equal values in a row are a stuck channel
+  std::int64_t stuck_samples = 20;       ///< fewer equal values in a row are never a stuck channel
   double gate_sigma = 5.0;               ///< innovation gate; 5 sigma closes falsely once in 1.7 million values
   std::int64_t bridge_samples = 5;       ///< bad samples in a row that are bridged before the sensor is declared faulty
   std::int64_t requalify_samples = 200;  ///< good samples in a row before it is used again
   double restart_gap_s = 2.0;            ///< a longer gap, or a larger jump back in time, restarts the filter
   friend bool operator==(const CheckOptions&, const CheckOptions&) = default;
+};
+
+/// What an operator knows of one sensor (checks/stuck_watch.h).
+struct SensorOptions {
+  std::string name;
+  std::int64_t stuck_samples = -1;  ///< as many equal values in a row are stuck; 0: never; -1: by its resolution and noise
+  double resolution = -1.0;         ///< step of its values, channel unit; -1: the model's
+  friend bool operator==(const SensorOptions&, const SensorOptions&) = default;
 };
 
 /// How far from the design's operating point its linear model is trusted.
@@ -75,6 +83,7 @@ struct CycleOptions {
   ShiftOptions shift;
   FaultOptions faults;
   std::vector<LimitOptions> limits;
+  std::vector<SensorOptions> sensors;
   double stale_periods = 3.0;
   friend bool operator==(const CycleOptions&, const CycleOptions&) = default;
 };

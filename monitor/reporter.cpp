@@ -24,7 +24,7 @@ void say_malformed(const Report& report) {
   const auto& model = report.design->model;
   spdlog::warn(
       "engine {}: a sample of source {} cannot be used: schema {} with {} sensors and {} actuators; needed are schema "
-      "{}, {} sensors, {} actuators, and a finite flight condition and actuators ({} so far)",
+      "{}, {} sensors and {} actuators ({} so far)",
       report.engine_id, m.source_id, m.schema, m.sensor_count, m.actuator_count, wire::schema_version,
       model.sensors.size(), model.controls.size(), m.so_far);
 }

@@ -142,7 +142,8 @@ ColumnMap read_column_map(const std::string& file) {
   read_file_table(reader, map);
   map.flight = read_channels(file, root, "flight", flight_channels, map.header);
   order_flight(file, map.flight);
-  map.actuators = read_channels(file, root, "actuator", max_actuators, map.header);
+  // A model without controls needs none.
+  if (root.contains("actuator")) map.actuators = read_channels(file, root, "actuator", max_actuators, map.header);
   map.sensors = read_channels(file, root, "sensor", max_sensors, map.header);
   return map;
 }

@@ -18,11 +18,7 @@ constexpr double implausible = 10.0;
 bool SampleCheck::malformed(const Sample& s) const noexcept {
   if (s.schema != wire::schema_version) return true;
   if (s.sensor_count != static_cast<std::uint32_t>(sensors_)) return true;
-  if (s.actuator_count != static_cast<std::uint32_t>(actuators_)) return true;
-  if (!std::isfinite(s.flight.altitude_m) || !std::isfinite(s.flight.mach) || !std::isfinite(s.flight.delta_isa_k))
-    return true;
-  // Without the actuators no prediction is possible; a sensor, in contrast, may be missing.
-  return !std::all_of(s.actuator.begin(), s.actuator.begin() + actuators_, [](double a) { return std::isfinite(a); });
+  return s.actuator_count != static_cast<std::uint32_t>(actuators_);
 }
 
 bool SampleCheck::foreign(const Sample& s) const noexcept {

@@ -2,45 +2,91 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "idl/wire_values.h"
 #include "monitor/estimation/scaling.h"
+#include "monitor/estimation/sensor_noise.h"
 
 namespace ehm::monitor {
 
 namespace reason = wire::reject_reason;
 
-SensorCheck::SensorCheck(const CheckOptions& options, const estimation::LinearModel& model)
+namespace {
+
+void require_known(const std::vector<SensorOptions>& sensors, const estimation::LinearModel& model) {
+  for (const SensorOptions& option : sensors) {
+    std::string names;
+    bool known = false;
+    for (const auto& channel : model.sensors) {
+      known = known || channel.name == option.name;
+      names += ' ' + channel.name;
+    }
+    if (!known)
+      throw std::invalid_argument("sensor.name is '" + option.name + "', which the design does not have; it has" +
+                                  names);
+  }
+}
+
+}  // namespace
+
+SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
+                       const estimation::LinearModel& model, std::size_t sensor) {
+  const auto i = static_cast<Eigen::Index>(sensor);
+  SensorKind kind{.noise_sigma = estimation::own_sigma(model, i),
+                  .resolution = estimation::resolution(model, i),
+                  .update_samples = 0,
+                  .least = options.stuck_samples};
+  if (model.sensor_update_period_s.size() > 0 && model.sensor_update_period_s(i) > 0.0)
+    kind.update_samples = estimation::held_samples(model, i);
+  for (const SensorOptions& option : sensors) {
+    if (option.name != model.sensors[sensor].name) continue;
+    if (option.resolution >= 0.0) kind.resolution = option.resolution;
+    kind.operators_limit = option.stuck_samples;
+  }
+  return kind;
+}
+
+SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
+                         const estimation::LinearModel& model)
     : options_(options), memory_(model.sensors.size()) {
+  require_known(sensors, model);
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
     trim_.push_back(model.sensors[i].trim);
     percent_.push_back(
         estimation::percent_of_trim(model.sensors[i], model.sensor_noise_sigma(static_cast<Eigen::Index>(i))));
+    const SensorKind kind = sensor_kind(options, sensors, model, i);
+    stuck_.emplace_back(kind);
+    told_.push_back(kind.update_samples > 0);
   }
 }
 
 std::uint32_t SensorCheck::reasons(const Sample& sample, int sensor, int steps) noexcept {
   const auto i = static_cast<std::size_t>(sensor);
   Memory& memory = memory_[i];
+  StuckWatch& stuck = stuck_[i];
   const double value = sample.sensor[i];
   if (!(sample.sensor_valid >> sensor & 1u)) return reason::source_invalid;
   if (!std::isfinite(value)) return reason::not_finite;
 
   std::uint32_t reasons = 0;
   if (std::abs(value - trim_[i]) > options_.range_percent * percent_[i]) reasons |= reason::range;
-  if (memory.has_last) {
-    if (std::abs(value - memory.last) > options_.rate_percent * percent_[i] * std::max(1, steps))
-      reasons |= reason::rate;
-    memory.equal = value == memory.last ? memory.equal + 1 : 0;
-    if (memory.equal + 1 >= options_.stuck_samples) reasons |= reason::stuck;
-  }
+  // A sensor that speaks every n samples has moved for n.
+  const double since = static_cast<double>(std::max<std::int64_t>(1, steps) * stuck.hold());
+  if (memory.has_last && std::abs(value - memory.last) > options_.rate_percent * percent_[i] * since)
+    reasons |= reason::rate;
   memory.last = value;
   memory.has_last = true;
-  return reasons;
+  if (reasons != 0) return reasons;  // says nothing of how a healthy sensor repeats itself
+
+  stuck.take(value, steps);
+  if (stuck.frozen()) return reason::stuck;
+  return stuck.fresh() ? 0 : reason::repeated;
 }
 
 void SensorCheck::reset() noexcept {
   std::fill(memory_.begin(), memory_.end(), Memory{});
+  for (StuckWatch& stuck : stuck_) stuck.restart();
 }
 
 }  // namespace ehm::monitor

@@ -1,11 +1,14 @@
 #pragma once
-// What one sensor's value tells by itself, before any model is asked: validity bit, finite, range, rate, stuck.
+// What one sensor's value tells by itself, before any model is asked: validity bit, finite, range, rate, and beside its
+// last ones stuck or held (stuck_watch.h).
 //
-// The result is a set of wire::reject_reason bits, 0 for a plausible value. Real-time safe: yes.
+// The result is a set of wire::reject_reason bits, 0 for a plausible value. A value that a slow sensor still holds is
+// plausible, but no news: it is `repeated`, and fused once. Real-time safe: yes.
 
 #include <cstdint>
 #include <vector>
 
+#include "monitor/checks/stuck_watch.h"
 #include "monitor/estimation/linear_model.h"
 #include "monitor/options.h"
 #include "monitor/sample.h"
@@ -15,22 +18,36 @@ namespace ehm::monitor {
 class SensorCheck {
  public:
   /// Range and rate of a sensor whose trim is 0 scale with its noise instead: 1 % of trim counts as one sigma there.
-  SensorCheck(const CheckOptions& options, const estimation::LinearModel& model);
+  /// @throws std::invalid_argument if one of `sensors` names no sensor of the model (names those that it has).
+  SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
+              const estimation::LinearModel& model);
 
   /// `steps` sample times lie between this value and the last one.
   std::uint32_t reasons(const Sample& sample, int sensor, int steps) noexcept;
+  /// Another source or time: nothing is compared with what came before.
   void reset() noexcept;
+
+  const StuckWatch& stuck(int sensor) const noexcept { return stuck_[static_cast<std::size_t>(sensor)]; }
+  /// Samples for which a sensor holds each value without the design knowing; 1 for most.
+  std::int64_t untold_hold(int sensor) const noexcept {
+    return told_[static_cast<std::size_t>(sensor)] ? 1 : stuck(sensor).hold();
+  }
 
  private:
   struct Memory {
     double last = 0.0;
     bool has_last = false;
-    std::int64_t equal = 0;  ///< values in a row equal to `last`
   };
 
   CheckOptions options_;
   std::vector<double> trim_, percent_;  ///< trim and what one percent is, by sensor
   std::vector<Memory> memory_;
+  std::vector<StuckWatch> stuck_;
+  std::vector<bool> told_;  ///< by sensor: the model states its update period
 };
+
+/// What model and operator know of a sensor.
+SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
+                       const estimation::LinearModel& model, std::size_t sensor);
 
 }  // namespace ehm::monitor

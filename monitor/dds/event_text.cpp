@@ -2,6 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <array>
+
+#include "monitor/checks/condition_check.h"
 #include "monitor/checks/sample_check.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/cycle_state.h"
@@ -15,6 +18,7 @@ const estimation::Channel* channel_of(const Event& e, const estimation::LinearMo
     case wire::EventKind::sensor_fault:
     case wire::EventKind::ambiguous_fault:
     case wire::EventKind::slow_bias:
+    case wire::EventKind::slow_sensor:
       return &model.sensors.at(e.channel);
     case wire::EventKind::health_shift:
     case wire::EventKind::health_limit:
@@ -45,10 +49,34 @@ std::string reasons(std::uint32_t detail) {
 std::string sensor_fault(const Event& e, const estimation::LinearModel& model) {
   namespace reason = wire::reject_reason;
   const auto& sensor = model.sensors.at(e.channel);
+  if (e.detail & reason::stuck)
+    return fmt::format("stuck: {:.0f} equal values in a row, a healthy one shows fewer than {:.0f}; stuck_samples in its "
+                       "[[sensor]] table sets the limit",
+                       e.value, e.threshold);
   if (e.detail & reason::noise) return fmt::format("its noise grew {:.1f} times or more", e.value);
   if (!(e.detail & reason::bias)) return reasons(e.detail);
   const double sigma = model.sensor_noise_sigma(static_cast<Eigen::Index>(e.channel));
   return fmt::format("bias {:+.4g} {}, {:+.1f} sigma, since {:.2f} s", e.value, sensor.unit, e.value / sigma, e.age_s);
+}
+
+/// Name and unit of a word of the flight condition or of an actuator.
+std::pair<std::string, std::string> word_of(const Event& e, const estimation::LinearModel& model) {
+  constexpr std::array<std::pair<const char*, const char*>, flight_words> flight{
+      {{"altitude_m", "m"}, {"mach", ""}, {"delta_isa_k", "K"}}};
+  if (e.channel < flight_words) return flight[e.channel];
+  const auto& actuator = model.controls.at(e.channel - flight_words);
+  return {actuator.name, actuator.unit};
+}
+
+std::string condition_fault(const Event& e, const estimation::LinearModel& model) {
+  const auto [name, unit] = word_of(e, model);
+  if (!e.raised) return fmt::format("{} is good again", name);
+  const std::string value = fmt::format("{:.6g}{}{}", e.value, unit.empty() ? "" : " ", unit);
+  if (e.detail == 0)
+    return fmt::format("{} jumped from {:.6g} to {} between two samples and stays there: it is believed", name,
+                       e.threshold, value);
+  return fmt::format("{} is lost: it is {}, for longer than checks.bridge_samples allows: estimates are withheld", name,
+                     value);
 }
 
 /// What became of a readable checkpoint at the engine's first sample; of an unreadable one the file's reader tells.
@@ -126,6 +154,7 @@ std::string stamp_trouble(const Event& e) {
 }  // namespace
 
 std::string channel_name(const Event& event, const estimation::LinearModel& model) {
+  if (event.kind == wire::EventKind::condition_fault) return word_of(event, model).first;
   const auto* channel = channel_of(event, model);
   return channel ? channel->name : std::string();
 }
@@ -188,6 +217,13 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
         return fmt::format("sensor {} has come back from a drift, by {:+.4g} {}; the estimates follow", c->name,
                            e.value, c->unit);
       return fmt::format("sensor {} has stopped drifting", c->name);
+    case wire::EventKind::condition_fault:
+      return condition_fault(e, model);
+    case wire::EventKind::slow_sensor:
+      if (!e.raised) return fmt::format("sensor {} is updated with each sample again", c->name);
+      return fmt::format("sensor {} is updated every {:.3g} s, the design has {:.3g} s: each value is used once, and its "
+                         "share of the estimates is slower; state its update_period_s and design anew",
+                         c->name, e.value, e.threshold);
     case wire::EventKind::checkpoint:
       return checkpoint_text(e);
     case wire::EventKind::source_stamps:

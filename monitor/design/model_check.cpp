@@ -137,6 +137,16 @@ void check_stability(const LinearModel& model, const std::string& file) {
   }
 }
 
+/// What sensors may state: empty, or a number for each that is not below zero.
+void check_optional(const Eigen::VectorXd& values, const LinearModel& model, const char* key, const std::string& file) {
+  if (values.size() == 0) return;
+  check_matrix(values, std::string(key) + " of sensors", model.sensors.size(), 1, file);
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    if (values(i) < 0.0)
+      throw_defect(file, "sensors[" + std::to_string(i) + "]." + key, shown(values(i)), "above 0",
+                   "Give it, or leave it out where it is not known");
+}
+
 /// More than the whole of nominal is a wrong unit.
 void check_health_sigma(const LinearModel& model, const std::string& file) {
   for (std::size_t i = 0; i < model.health.size(); ++i) {
@@ -168,6 +178,8 @@ void check_model(const LinearModel& model, const std::string& file, int sensor_c
   if (!(model.sample_time_s >= 1e-4 && model.sample_time_s <= 10.0)) {
     throw_defect(file, "sample_time_s", shown(model.sample_time_s), "1e-4 to 10 s", "Give the sample time in seconds");
   }
+  check_optional(model.sensor_resolution, model, "resolution", file);
+  check_optional(model.sensor_update_period_s, model, "update_period_s", file);
   check_positive(model.sensor_noise_sigma, "sensors", "noise_sigma",
                  "Give the standard deviation of one sample's noise", file);
   check_covariance(model.process_noise, "process_noise", "Give the covariance of w per sample", file);

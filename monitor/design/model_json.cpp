@@ -3,6 +3,7 @@
 #include "monitor/design/file_error.h"
 #include "monitor/design/model_check.h"
 #include "monitor/design/model_file.h"
+#include "monitor/estimation/sensor_noise.h"
 
 namespace ehm::design {
 namespace {
@@ -24,10 +25,31 @@ std::vector<Channel> read_channels(JsonObject& object, const std::string& list, 
     const bool trim_is_optional = list == "health";
     if (!trim_is_optional || entry.find("trim") != nullptr) channel.trim = entry.number("trim");
     if (sigma_key != nullptr) (*sigma)(static_cast<Eigen::Index>(i)) = entry.number(sigma_key);
+    if (list == "sensors") entry.find("resolution"), entry.find("update_period_s");  // read_optional's
     entry.refuse_unknown();
     channels.push_back(std::move(channel));
   }
   return channels;
+}
+
+/// What each sensor may state of itself; empty where none does. @returns its values, 0 where it does not.
+Eigen::VectorXd read_optional(JsonObject& object, const std::string& list, const char* key) {
+  const Json& array = object.array(list);
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(array.size()));
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    JsonObject entry(array[i], object.file(), object.key(list) + "[" + std::to_string(i) + "]");
+    if (entry.find(key) != nullptr) values(static_cast<Eigen::Index>(i)) = entry.positive_number(key);
+  }
+  return values.isZero(0.0) ? Eigen::VectorXd() : values;
+}
+
+/// The file has the noise before rounding, and as of a sensor that speaks at each sample.
+void read_sensors(JsonObject& object, LinearModel& model) {
+  model.sensors = read_channels(object, "sensors", "noise_sigma", &model.sensor_noise_sigma);
+  model.sensor_resolution = read_optional(object, "sensors", "resolution");
+  model.sensor_update_period_s = read_optional(object, "sensors", "update_period_s");
+  for (Eigen::Index i = 0; i < model.sensor_noise_sigma.size(); ++i)
+    model.sensor_noise_sigma(i) = estimation::counted_sigma(model, i, model.sensor_noise_sigma(i));
 }
 
 Json channels_to_json(const std::vector<Channel>& channels, const char* sigma_key, const Eigen::VectorXd* sigma) {
@@ -37,6 +59,18 @@ Json channels_to_json(const std::vector<Channel>& channels, const char* sigma_ke
     if (sigma_key != nullptr) entry[sigma_key] = (*sigma)(static_cast<Eigen::Index>(i));
     array.push_back(std::move(entry));
   }
+  return array;
+}
+
+Json sensors_to_json(const LinearModel& model) {
+  Eigen::VectorXd sigma = model.sensor_noise_sigma;
+  for (Eigen::Index i = 0; i < sigma.size(); ++i) sigma(i) = estimation::own_sigma(model, i);
+  Json array = channels_to_json(model.sensors, "noise_sigma", &sigma);
+  const std::pair<const char*, const Eigen::VectorXd*> optional[] = {
+      {"resolution", &model.sensor_resolution}, {"update_period_s", &model.sensor_update_period_s}};
+  for (const auto& [key, values] : optional)
+    for (Eigen::Index i = 0; i < values->size(); ++i)
+      if ((*values)(i) > 0.0) array[static_cast<std::size_t>(i)][key] = (*values)(i);
   return array;
 }
 
@@ -90,7 +124,7 @@ LinearModel model_from_json(const Json& json, const std::string& file, const std
   model.states = read_channels(object, "states", nullptr, nullptr);
   model.controls = read_channels(object, "controls", nullptr, nullptr);
   model.health = read_channels(object, "health", "sigma", &model.health_sigma);
-  model.sensors = read_channels(object, "sensors", "noise_sigma", &model.sensor_noise_sigma);
+  read_sensors(object, model);
   model.auxiliary = read_channels(object, "auxiliary", nullptr, nullptr);
   read_matrices(object, model);
   object.refuse_unknown();
@@ -107,7 +141,7 @@ Json model_to_json(const LinearModel& model, const std::string& file) {
             {"states", channels_to_json(model.states, nullptr, nullptr)},
             {"controls", channels_to_json(model.controls, nullptr, nullptr)},
             {"health", channels_to_json(model.health, "sigma", &model.health_sigma)},
-            {"sensors", channels_to_json(model.sensors, "noise_sigma", &model.sensor_noise_sigma)},
+            {"sensors", sensors_to_json(model)},
             {"auxiliary", channels_to_json(model.auxiliary, nullptr, nullptr)},
             {"process_noise", to_json(model.process_noise, file, "process_noise")}};
   if (!model.engine_type.empty()) json["engine_type"] = model.engine_type;

@@ -36,7 +36,10 @@ struct LinearModel {
   double sample_time_s = 0.0;
   std::vector<Channel> states, controls, health, sensors, auxiliary;
   Eigen::VectorXd health_sigma;        ///< p, spread over the fleet
-  Eigen::VectorXd sensor_noise_sigma;  ///< m, of one sample
+  Eigen::VectorXd sensor_noise_sigma;  ///< m, of one sample, with rounding and holding (sensor_noise.h)
+  /// m each, or empty where no sensor states it; 0 where one does not. Step of the values in channel units, and time
+  /// between two values.
+  Eigen::VectorXd sensor_resolution, sensor_update_period_s;
   Eigen::MatrixXd process_noise;       ///< n x n
   Eigen::MatrixXd A, B, L, C, D, M, F, G, N;
   /// What the real engine's [y; z] adds to the linear one's in steady state: second moment over the fleet, (m+r) x

@@ -88,6 +88,8 @@ LinearModel scaled(const LinearModel& model, const Scaling& scaling) {
   }
   result.health_sigma = model.health_sigma.cwiseQuotient(scaling.health);
   result.sensor_noise_sigma = model.sensor_noise_sigma.cwiseQuotient(scaling.sensor);
+  if (model.sensor_resolution.size() > 0)
+    result.sensor_resolution = model.sensor_resolution.cwiseQuotient(scaling.sensor);
   for (std::size_t i = 0; i < result.states.size(); ++i) {
     result.states[i].trim /= scaling.state(static_cast<Eigen::Index>(i));
     result.states[i].unit = model.states[i].trim != 0.0 ? "percent" : model.states[i].unit;

@@ -53,7 +53,8 @@ constexpr StatusMetric engine_metrics[]{
     EHM_COUNTER("ehm_samples_foreign_total", samples_foreign, "Samples of a second source, dropped."),
     EHM_COUNTER("ehm_samples_malformed_total", samples_malformed, "Samples that cannot be read, dropped."),
     EHM_COUNTER("ehm_samples_withheld_total", samples_withheld, "Samples in order without an honest estimate."),
-    EHM_COUNTER("ehm_sensor_rejections_total", sensor_rejections, "Sensor values that were not fused."),
+    EHM_COUNTER("ehm_sensor_rejections_total", sensor_rejections, 
+                "Sensor values that were not fused, words of flight condition and actuators that were replaced."),
     EHM_COUNTER("ehm_filter_restarts_total", filter_restarts, "Cold starts of the filter."),
     EHM_COUNTER("ehm_deadline_misses_total", deadline_misses, "Estimates later than one sample time."),
     EHM_COUNTER("ehm_writes_refused_total", writes_refused, "Estimates that the middleware did not take."),
@@ -165,9 +166,7 @@ MetricFamily events(const Fleet& fleet) {
       "ehm_events_total", "Conditions that began, by kind.", MetricType::Counter,
       [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
         for (std::size_t kind = 1; kind < wire::event_kind_names.size(); ++kind)
-          if (wire::event_kind_names[kind] != std::string_view("?"))
-            f.metric.push_back(
-                sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
+          f.metric.push_back(sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
       },
       true);
 }

@@ -4,8 +4,10 @@
 
 #include "idl/wire_values.h"
 #include "monitor/checks/sample_time_watch.h"
+#include "monitor/checks/sensor_check.h"
 #include "monitor/checks/source_fit.h"
 #include "monitor/dds/misfit_text.h"
+#include "monitor/estimation/sensor_noise.h"
 #include "monitor/judge/validity.h"
 #include "monitor/listen/expectation.h"
 #include "monitor/listen/suspicion.h"
@@ -124,13 +126,25 @@ void check_values(const char* kind, const std::string& name, const ChannelRecord
     warning(findings, fmt::format("{} {}: marked invalid in {} samples", kind, name, c.invalid));
 }
 
-void check_noise(const std::string& name, const ChannelRecord& c, const ChannelFit& fit, double sigma,
-                 std::uint64_t stuck, Findings& findings) {
-  if (c.longest_equal_run >= stuck) {
-    error(findings, fmt::format("sensor {}: {} equal values in a row, the monitor takes it for stuck", name,
-                                c.longest_equal_run));
-    return;
+/// By what model and operator know of the sensor: an error where the monitor would find it stuck, else a hint.
+bool repeats(const std::string& name, const ChannelRecord& c, const SensorKind& kind, Findings& findings) {
+  if (c.longest_equal_run < static_cast<std::uint64_t>(kind.least)) return false;
+  const std::int64_t limit = StuckWatch(kind).limit();
+  if (limit != StuckWatch::never && c.longest_equal_run >= static_cast<std::uint64_t>(limit)) {
+    error(findings, fmt::format("sensor {}: {} equal values in a row, the monitor takes it for stuck from {} on", name,
+                                c.longest_equal_run, limit));
+    return true;
   }
+  if (kind.operators_limit >= 0 || kind.resolution > 0.0 || kind.update_samples > 0) return false;
+  warning(findings, fmt::format("sensor {}: {} equal values in a row; coarse, slow or frozen? State its resolution and "
+                                "update_period_s in the model",
+                                name, c.longest_equal_run));
+  return true;
+}
+
+/// `sigma`: what successive differences show of the design's noise.
+void check_noise(const std::string& name, const ChannelRecord& c, const ChannelFit& fit, double sigma,
+                 Findings& findings) {
   if (c.good < samples_for_noise || !(sigma > 0.0)) return;
   const double ratio = fit.conversion.of_differences()(c.noise()) / sigma;
   if (ratio > noise_ratio_max)
@@ -186,9 +200,12 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
   }
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
     check_values("sensor", model.sensors[i].name, s.sensors[i], findings);
-    check_noise(model.sensors[i].name, s.sensors[i], fit.sensors[i],
-                model.sensor_noise_sigma(static_cast<Eigen::Index>(i)),
-                static_cast<std::uint64_t>(options.checks.stuck_samples), findings);
+    const std::string& name = model.sensors[i].name;
+    if (repeats(name, s.sensors[i], sensor_kind(options.checks, options.sensors, model, i), findings)) continue;
+    // A sensor that holds each value for n samples steps once in n, by noise that is counted n times.
+    const auto at = static_cast<Eigen::Index>(i);
+    check_noise(name, s.sensors[i], fit.sensors[i],
+                model.sensor_noise_sigma(at) / estimation::held_samples(model, at), findings);
   }
   if (!acting.allFinite()) return report;
   const Expectation expectation = expect_sensors(model, acting);

@@ -70,7 +70,8 @@ TEST_F(BadSamplesTest, EachHasItsCounter) {
   EXPECT_EQ(send(s).samples_malformed(), 2u);
   s = good();
   s.actuator()[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(send(s).samples_malformed(), 3u);
+  EXPECT_EQ(send(s).sensor_rejections(), 4u);  // bridged by the last good word
+  EXPECT_EQ(listener_.status.back().samples_malformed(), 2u);
 
   s = good();
   s.engine_id(2);

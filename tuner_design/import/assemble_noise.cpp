@@ -6,6 +6,7 @@
 #include "monitor/design/file_error.h"
 #include "monitor/design/json_object.h"
 #include "monitor/estimation/scaling.h"
+#include "monitor/estimation/sensor_noise.h"
 #include "tuner_design/import/assemble_channels.h"
 
 namespace ehm::bench {
@@ -19,13 +20,15 @@ std::string place(const std::string& name, Eigen::Index row, Eigen::Index col) {
   return name + "(" + std::to_string(row + 1) + "," + std::to_string(col + 1) + ")";
 }
 
-/// Standard deviations, each above zero; NaN where nothing is stated.
+/// Standard deviations and the like, each above zero; NaN where nothing is stated.
 Eigen::VectorXd sigmas(const Variables& given, const std::string& name, Eigen::Index size, const std::string& each) {
   Eigen::VectorXd sigma = vector_of(given, name, size, each, true);
   for (Eigen::Index i = 0; i < size; ++i) {
     if (std::isnan(sigma(i)) || sigma(i) > 0.0) continue;
     throw_defect(given.source, name + "(" + std::to_string(i + 1) + ")", shown(sigma(i)), "above 0",
-                 "Give a standard deviation in the channel's unit");
+                 name == "sensor_update_period_s" ? "Give the time between two values in seconds"
+                 : name == "sensor_resolution"    ? "Give the step of its values in the channel's unit"
+                                                  : "Give a standard deviation in the channel's unit");
   }
   return sigma;
 }
@@ -101,6 +104,23 @@ void assemble_sensor_noise(const Variables& given, const ImportOptions& options,
   }
 }
 
+/// What sensors state of their resolution or update period; empty where none does.
+Eigen::VectorXd fineness(const Variables& given, const std::string& name, Eigen::Index m) {
+  const Eigen::VectorXd values = sigmas(given, name, m, "row of C").unaryExpr([](double v) {
+    return std::isnan(v) ? 0.0 : v;
+  });
+  return values.isZero(0.0) ? Eigen::VectorXd() : values;
+}
+
+/// Rounding and holding count in the noise (sensor_noise.h).
+void assemble_fineness(const Variables& given, LinearModel& model) {
+  const Eigen::Index m = model.sensor_noise_sigma.size();
+  model.sensor_resolution = fineness(given, "sensor_resolution", m);
+  model.sensor_update_period_s = fineness(given, "sensor_update_period_s", m);
+  for (Eigen::Index i = 0; i < m; ++i)
+    model.sensor_noise_sigma(i) = estimation::counted_sigma(model, i, model.sensor_noise_sigma(i));
+}
+
 void assume_process_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
   LinearModel& model = result.model;
   const double percent = options.process_noise_percent.value_or(ImportOptions::default_process_noise_percent);
@@ -148,6 +168,7 @@ void refuse_option(const Variables& given, const std::string& stated, const std:
 void assemble_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
   assemble_health_sigma(given, options, result);
   assemble_sensor_noise(given, options, result);
+  assemble_fineness(given, result.model);
   assemble_process_noise(given, options, result);
 }
 

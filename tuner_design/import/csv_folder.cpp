@@ -63,7 +63,8 @@ void append(Eigen::MatrixXd& column, const std::string& text, const std::string&
 
 void read_channels(const std::string& file, Variables& variables) {
   const CsvTable table = files::read_csv(file);
-  require_columns(table, {"kind", "name", "unit", "trim", "sigma"}, "kind, name, unit, trim, sigma");
+  require_columns(table, {"kind", "name", "unit", "trim", "sigma", "resolution", "update_period_s"},
+                  "kind, name, unit, trim, sigma, resolution, update_period_s");
   if (!table.column("kind")) throw FileError(table.place(table.header) + ": the column kind is missing. Add it.");
   const std::set<std::string> kinds{"state", "control", "health", "sensor", "auxiliary"};
   for (const CsvRow& row : table.rows) {
@@ -76,9 +77,14 @@ void read_channels(const std::string& file, Variables& variables) {
       append(variables.numbers["health_sigma"], sigma, place, "sigma");
     } else if (kind == "sensor") {
       append(variables.numbers["sensor_noise_sigma"], sigma, place, "sigma");
+      for (const char* key : {"resolution", "update_period_s"})
+        append(variables.numbers[std::string("sensor_") + key], cell(table, row, key), place, key);
     } else if (!sigma.empty()) {
       refuse(place, "sigma of a " + kind, sigma, "empty, since only health and sensors have one");
     }
+    for (const char* key : {"resolution", "update_period_s"})
+      if (const std::string text = cell(table, row, key); kind != "sensor" && !text.empty())
+        refuse(place, key + (" of a " + kind), text, "empty, since only sensors have one");
   }
 }
 

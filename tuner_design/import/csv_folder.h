@@ -3,10 +3,11 @@
 //   A.csv L.csv C.csv M.csv, B.csv D.csv F.csv G.csv N.csv, Q.csv R.csv, linearisation_error.csv
 //                 matrices: numbers only, one row a line, without a header;
 //                 an empty file is an empty matrix
-//   channels.csv  kind,name,unit,trim,sigma: one line a channel, in the order of the matrices' rows and columns;
+//   channels.csv  kind,name,unit,trim,sigma,resolution,update_period_s: one line a channel, in the order of the
+//                 matrices' rows and columns;
 //                 kind is state, control, health, sensor or auxiliary,
-//                 sigma belongs to health and sensors; columns but kind
-//                 may be left out, cells may be empty: not stated
+//                 sigma belongs to health and sensors, the last two to sensors;
+//                 columns but kind may be left out, cells may be empty: not stated
 //   settings.csv  key,value: Ts, sample_time_s, name, engine_type, altitude_m, mach, delta_isa_k
 // Both of the latter may be missing. Other files are told as ignored.
 

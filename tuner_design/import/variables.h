@@ -15,8 +15,9 @@ inline constexpr std::array matrix_variables{"A", "B", "L", "C", "D", "M",
                                              "F", "G", "N", "Q", "R", "linearisation_error"};
 /// Ts as MATLAB has it: 0 continuous, -1 discrete with an unstated sample time.
 inline constexpr std::array scalar_variables{"Ts", "sample_time_s", "altitude_m", "mach", "delta_isa_k"};
-inline constexpr std::array vector_variables{"state_trim",     "control_trim",       "health_trim", "sensor_trim",
-                                             "auxiliary_trim", "sensor_noise_sigma", "health_sigma"};
+inline constexpr std::array vector_variables{"state_trim",        "control_trim",           "health_trim",
+                                             "sensor_trim",       "auxiliary_trim",         "sensor_noise_sigma",
+                                             "sensor_resolution", "sensor_update_period_s", "health_sigma"};
 inline constexpr std::array text_variables{"name",          "engine_type",   "state_names",     "state_units",
                                            "control_names", "control_units", "health_names",    "health_units",
                                            "sensor_names",  "sensor_units",  "auxiliary_names", "auxiliary_units"};

@@ -134,7 +134,13 @@ design = "a.json"
 [[limit]]
 quantity = "T40"
 max = 1380
+[[sensor]]
+name = "T48"
+stuck_samples = 0
+resolution = 0.5
 )");
+  ASSERT_EQ(config.cycle.sensors.size(), 1u);
+  EXPECT_EQ(config.cycle.sensors[0], (ehm::monitor::SensorOptions{"T48", 0, 0.5}));
   ASSERT_EQ(config.engines.size(), 1u);
   EXPECT_EQ(config.engines[0].ids.size(), 2u);
   ASSERT_EQ(config.cycle.limits.size(), 1u);
@@ -153,6 +159,12 @@ TEST(MonitorConfig, NamesEveryMistake) {
             "1: 'limit.hysteresis' for 'T40' is 10, allowed is less than half of max - min, or it could never clear");
   EXPECT_EQ(monitor_error("[[limit]]\nquantity = \"T40\"\nmax = 1\n[[limit]]\nquantity = \"T40\"\nmax = 2\n"),
             "4: 'limit.quantity' names 'T40' twice; one limit with min and max is allowed");
+  EXPECT_EQ(monitor_error("[[sensor]]\nname = \"T48\"\n"),
+            "1: 'sensor' for 'T48' needs stuck_samples, resolution or both");
+  EXPECT_EQ(monitor_error("[[sensor]]\nname = \"T48\"\nstuck_samples = 1\n"),
+            "1: 'sensor.stuck_samples' for 'T48' is 1, allowed is 0 (never) or from 2 on");
+  EXPECT_EQ(monitor_error("[[sensor]]\nname = \"T48\"\nresolution = 1\n[[sensor]]\nname = \"T48\"\nresolution = 2\n"),
+            "4: 'sensor.name' names 'T48' twice; one table is allowed");
   EXPECT_EQ(monitor_error("[[engine]]\nids = []\ndesign = \"a\"\n"),
             "1: 'engine.ids' is empty, allowed is at least one id");
   EXPECT_EQ(monitor_error("[monitor]\nmax_engines = 0\n"),

@@ -77,6 +77,13 @@ TEST_F(ColumnMapTest, IsReadInTheOrderOfTheWire) {
   EXPECT_EQ(map.sensors[0].offset, -1.0);
 }
 
+TEST_F(ColumnMapTest, AModelWithoutControlsNeedsNoActuator) {
+  std::string channels = channels_part;
+  const auto from = channels.find("[[actuator]]"), to = channels.find("[[sensor]]");
+  channels.erase(from, to - from);
+  EXPECT_TRUE(read(file_part + channels).actuators.empty());
+}
+
 TEST_F(ColumnMapTest, MistakesAreNamedWithTheirLine) {
   const std::string file = file_part, channels = channels_part;
   EXPECT_THAT(error_of(channels), HasSubstr("table [file] is missing"));

@@ -70,6 +70,14 @@ TEST_F(ImportCsv, EmptyCellsAreNotStatedAndOtherFilesIgnored) {
   EXPECT_THAT(imported.assumed, Contains("not part of a model, ignored: notes.txt"));
 }
 
+TEST_F(ImportCsv, ResolutionCountsInTheNoise) {
+  folder_.file("channels.csv", "kind,name,unit,trim,sigma,resolution\nsensor,T3,K,700,3,2\nsensor,,,,0.4,\n");
+  const ImportedModel imported = import_model(folder_.path(), {});
+  EXPECT_DOUBLE_EQ(imported.model.sensor_noise_sigma(0), std::sqrt(9.0 + 4.0 / 12.0));
+  EXPECT_EQ(imported.model.sensor_noise_sigma(1), 0.4);
+  EXPECT_EQ(imported.model.sensor_resolution, Eigen::Vector2d(2.0, 0.0));
+}
+
 TEST_F(ImportCsv, MistakesAreNamedByFileAndLine) {
   EXPECT_EQ(refusal("M.csv", "0,0\n0.7,nan\n"),
             "/M.csv:2: column 2 is 'nan'; allowed: a finite number, point as decimal sign, commas between numbers.");

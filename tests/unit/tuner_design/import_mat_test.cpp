@@ -112,11 +112,13 @@ TEST(ImportMat, OptionsStandInForWhatIsNotStated) {
         mat.numbers("C", least.C);
         mat.numbers("M", least.M);
         mat.numbers("sensor_trim", Eigen::Vector2d(400.0, 50.0));
+        mat.numbers("sensor_resolution", Eigen::Vector2d(2.0, std::nan("")));
       },
       {0.025, 1.5, 0.4, 0.02});
   EXPECT_FALSE(imported.model.discrete);
   EXPECT_EQ(imported.model.sample_time_s, 0.025);
   EXPECT_EQ(imported.model.health_sigma(0), 0.015) << "fractions, since the sensors are not in percent";
+  EXPECT_DOUBLE_EQ(imported.model.sensor_noise_sigma(0), std::sqrt(1.6 * 1.6 + 4.0 / 12.0)) << "rounded to 2";
   EXPECT_DOUBLE_EQ(imported.model.sensor_noise_sigma(1), 0.2);
   EXPECT_DOUBLE_EQ(imported.model.process_noise(0, 0), 4e-4) << "the state is in percent";
   const std::string contradiction = refusal([](MatWriter& mat) { Least().write(mat); }, {0.02, {}, {}, {}});

@@ -30,7 +30,9 @@ void Flight::start_moving() {
 monitor::Sample Flight::next() {
   const Eigen::VectorXd noise =
       model_.sensor_noise_sigma.cwiseProduct(random_.normal_vector(model_.sensor_noise_sigma.size()));
-  const Eigen::VectorXd y = model_.C * x_ + model_.D.col(0) * du_ + model_.M * h_ + noise;
+  Eigen::VectorXd du = Eigen::VectorXd::Zero(model_.B.cols());
+  if (du.size() > 0) du(0) = du_;
+  const Eigen::VectorXd y = model_.C * x_ + model_.D * du + model_.M * h_ + noise;
   monitor::Sample s;
   s.schema = 1;
   s.sequence = sequence_;
@@ -44,7 +46,7 @@ monitor::Sample Flight::next() {
     s.sensor[i] = model_.sensors[i].trim + y(static_cast<Eigen::Index>(i));
   for (std::size_t i = 0; i < model_.controls.size(); ++i)
     s.actuator[i] = model_.controls[i].trim + (i == 0 ? du_ : 0.0);
-  x_ = model_.A * x_ + model_.B.col(0) * du_ + model_.L * h_;
+  x_ = model_.A * x_ + model_.B * du + model_.L * h_;
   if (!process_noise_sigma_.isZero(0.0)) x_ += process_noise_sigma_.cwiseProduct(random_.normal_vector(x_.size()));
   ++sequence_;
   return s;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
+#include <stdexcept>
 
 #include "idl/wire_values.h"
 
@@ -27,8 +29,8 @@ class SensorCheckTest : public testing::Test {
     s.sensor[0] = value;
     return check_.reasons(s, 0, steps);
   }
-  // Defaults: range 60 % of trim, rate 12 % a sample, 20 equal values are stuck.
-  SensorCheck check_{CheckOptions{}, one_sensor(1000.0)};
+  // Defaults: range 60 % of trim, rate 12 % a sample; fewer than 20 equal values are never stuck.
+  SensorCheck check_{CheckOptions{}, {}, one_sensor(1000.0)};
 };
 
 TEST_F(SensorCheckTest, PassesAPlausibleValue) {
@@ -48,14 +50,48 @@ TEST_F(SensorCheckTest, RateCountsTheTimeSinceTheLastValue) {
   EXPECT_EQ(offer(1000.0, true, 2), 0u);  // 121 K back within two samples
 }
 
-TEST_F(SensorCheckTest, StuckAfterTwentyEqualValuesAndFreeWithTheNextOther) {
+TEST_F(SensorCheckTest, ANoisySensorIsStuckAfterTwentyEqualValuesAndFreeWithTheNextOther) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 100; ++i) offer(1000.0 + 5.0 * normal(random));
   for (int i = 0; i < 19; ++i) EXPECT_EQ(offer(1000.0), 0u) << i;
   EXPECT_EQ(offer(1000.0), reason::stuck);
   EXPECT_EQ(offer(1000.5), 0u);
 }
 
+TEST_F(SensorCheckTest, ASensorThatHasShownNoNoiseIsNotStuck) {
+  for (int i = 0; i < 5000; ++i) ASSERT_EQ(offer(1000.0), 0u) << i;
+}
+
+TEST_F(SensorCheckTest, RejectsNamesThatTheModelDoesNotHave) {
+  try {
+    SensorCheck(CheckOptions{}, {{.name = "T48", .stuck_samples = 5}}, one_sensor(1000.0));
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_STREQ(e.what(), "sensor.name is 'T48', which the design does not have; it has T30");
+  }
+}
+
+TEST(SensorCheck, TheOperatorsLimitReplacesTheRule) {
+  Sample s;
+  s.sensor_valid = 1;
+  s.sensor[0] = 1000.0;
+  SensorCheck early(CheckOptions{}, {{.name = "T30", .stuck_samples = 5}}, one_sensor(1000.0));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(early.reasons(s, 0, 1), 0u) << i;
+  EXPECT_EQ(early.reasons(s, 0, 1), reason::stuck);
+
+  SensorCheck never(CheckOptions{}, {{.name = "T30", .stuck_samples = 0}}, one_sensor(1000.0));
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 100; ++i) {
+    s.sensor[0] = 1000.0 + normal(random);
+    never.reasons(s, 0, 1);
+  }
+  for (int i = 0; i < 5000; ++i) ASSERT_EQ(never.reasons(s, 0, 1), 0u) << i;
+}
+
 TEST(SensorCheck, ScalesWithNoiseWhereTheTrimIsZero) {
-  SensorCheck check(CheckOptions{}, one_sensor(0.0));  // sigma 5: range 60 * 5
+  SensorCheck check(CheckOptions{}, {}, one_sensor(0.0));  // sigma 5: range 60 * 5
   Sample s;
   s.sensor_valid = 1;
   s.sensor[0] = 299.0;

@@ -67,6 +67,25 @@ TEST(ModelFile, RoundTripIsExact) {
   EXPECT_EQ(read.sensor_noise_sigma, model.sensor_noise_sigma);
 }
 
+// 33 samples of 15 ms are held: R = 33 (3^2 + 2^2 / 12) for noise 3 and steps of 2.
+TEST(ModelFile, RoundingAndHoldingCountInTheNoise) {
+  const estimation::LinearModel plain = test::made_up_model();
+  Json json = model_to_json(plain, "good");
+  json["sample_time_s"] = 0.015;
+  json["sensors"][1]["noise_sigma"] = 3.0;
+  json["sensors"][1]["resolution"] = 2.0;
+  json["sensors"][1]["update_period_s"] = 0.5;
+  const estimation::LinearModel model = read_model(file_with(json.dump()));
+  EXPECT_EQ(model.sensor_noise_sigma(0), plain.sensor_noise_sigma(0));
+  EXPECT_NEAR(model.sensor_noise_sigma(1), std::sqrt(33.0 * (9.0 + 4.0 / 12.0)), 1e-12);
+  const Json again = model_to_json(model, "again");
+  EXPECT_NEAR(again["sensors"][1]["noise_sigma"].get<double>(), 3.0, 1e-12);
+  EXPECT_EQ(again["sensors"][1]["resolution"], 2.0);
+  EXPECT_EQ(again["sensors"][1]["update_period_s"], 0.5);
+  EXPECT_EQ(again["sensors"][0].count("resolution"), 0u);
+  EXPECT_NEAR(read_model(file_with(again.dump())).sensor_noise_sigma(1), model.sensor_noise_sigma(1), 1e-12);
+}
+
 TEST(ModelFile, AuxiliaryAndControlsMayBeEmpty) {
   Json json = model_to_json(test::made_up_model(), "good");
   json["auxiliary"] = Json::array();
@@ -118,6 +137,8 @@ const Defect defects[] = {
      "it."},
     {"UnknownChannelKey", [](Json& j) { j["states"][0]["sigma"] = 1; },
      "key states[0].sigma is unknown; allowed here: name, trim, unit. Correct the spelling or remove it."},
+    {"Resolution", [](Json& j) { j["sensors"][1]["resolution"] = 0; },
+     "sensors[1].resolution is 0; allowed: a number above 0. Correct the value."},
     {"Schema", [](Json& j) { j["schema"] = "ehm-linear-model/0"; },
      "schema is \"ehm-linear-model/0\"; allowed: \"ehm-linear-model/1\". Convert the file to this format."},
     {"Time", [](Json& j) { j["time"] = "sampled"; },

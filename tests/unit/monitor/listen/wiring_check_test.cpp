@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                 },
                 "error: sensor P: NaN or infinite"},
         Mistake{"nan_actuator", [](auto, auto& s) { s.actuator()[0] = std::nan(""); }, "error: actuator fuel: NaN"},
-        Mistake{"stuck", [](auto, auto& s) { s.sensor()[2] = 700.0; }, "error: sensor T: 200 equal values in a row"},
+        Mistake{"stuck", [](auto, auto& s) { s.sensor()[2] = 700.0; }, "warning: sensor T: 200 equal values in a row; coarse, slow or frozen?"},
         Mistake{"loud", [](auto k, auto& s) { s.sensor()[1] = 1000.0 + (k % 2 == 0 ? 10.0 : -10.0); },
                 "warning: sensor P: noise is 7.1 times"},
         Mistake{"quiet", [](auto k, auto& s) { s.sensor()[1] = 1000.0 + (k % 2 == 0 ? 0.05 : -0.05); },
