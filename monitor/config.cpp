@@ -21,9 +21,10 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
   schema.integer("checks.source_id", c.source_id, 0, max_id, "",
                  "the only source that is followed, by the source_id of its samples; 0 is the first that speaks");
   schema.real("checks.range_percent", c.range_percent, 1, 1000, "percent of trim",
-              "a sensor farther from its trim is out of range");
+              "a sensor farther from its trim is out of range; temperatures count from absolute zero, and one percent is "
+              "at least a sigma of the sensor's noise and a tenth of what the fleet's health moves it by");
   schema.real("checks.rate_percent", c.rate_percent, 0.1, 1000, "percent of trim",
-              "a larger step between two samples is impossible");
+              "a larger step between two samples is impossible; one percent as for checks.range_percent");
   schema.integer("checks.stuck_samples", c.stuck_samples, 3, 100000, "samples",
                  "fewer equal values in a row are never a stuck channel; from how many on follows resolution and noise of "
                  "each sensor, or its [[sensor]] table");

@@ -9,6 +9,7 @@ namespace ehm::units {
 namespace {
 
 constexpr std::size_t longest = 64;
+constexpr std::string_view gauge_pressure = "gauge pressure";
 
 char small(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -112,10 +113,15 @@ std::optional<Conversion> conversion(std::string_view from, std::string_view to)
   return Conversion{a->factor / b->factor, (a->offset - b->offset) / b->factor};
 }
 
+bool is_gauge_pressure(std::string_view unit) noexcept {
+  const Unit* known = find(unit);
+  return known && known->quantity == gauge_pressure;
+}
+
 std::string why_not(std::string_view from, std::string_view to) {
   std::string text = known_text(from, find(from)) + ", " + known_text(to, find(to));
   const Unit *a = find(from), *b = find(to);
-  const auto gauge = [](const Unit* unit) { return unit && unit->quantity == "gauge pressure"; };
+  const auto gauge = [](const Unit* unit) { return unit && unit->quantity == gauge_pressure; };
   if (gauge(a) != gauge(b)) text += "; a gauge pressure needs the ambient one added before";
   return text;
 }

@@ -16,7 +16,7 @@
 // units, ^, "deg" and "degrees" before a temperature scale, or capitals, except where a unit begins with m or M (mPa is
 // not MPa).
 //
-// Real-time safe: conversion() yes, why_not() no.
+// Real-time safe: conversion() and is_gauge_pressure() yes, the others no.
 
 #include <optional>
 #include <string>
@@ -38,6 +38,9 @@ struct Conversion {
 /// From one unit to the other. The same text twice, or no text on one side (nothing is said), is no change; nothing if
 /// a unit is not known, or the two are different quantities.
 std::optional<Conversion> conversion(std::string_view from, std::string_view to) noexcept;
+
+/// A pressure above the ambient one, which the unit does not tell: neither its zero nor a share of it means anything.
+bool is_gauge_pressure(std::string_view unit) noexcept;
 
 /// Why conversion() has nothing to say: which unit is not known, or which quantities the two are.
 std::string why_not(std::string_view from, std::string_view to);

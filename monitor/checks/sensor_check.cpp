@@ -7,12 +7,15 @@
 #include "idl/wire_values.h"
 #include "monitor/estimation/scaling.h"
 #include "monitor/estimation/sensor_noise.h"
+#include "monitor/estimation/steady_gain.h"
 
 namespace ehm::monitor {
 
 namespace reason = wire::reject_reason;
 
 namespace {
+
+constexpr double spreads_of_range = 10.0;  ///< in a hundredth of the range's scale: 60 % leave six
 
 void require_known(const std::vector<SensorOptions>& sensors, const estimation::LinearModel& model) {
   for (const SensorOptions& option : sensors) {
@@ -51,10 +54,14 @@ SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOp
                          const estimation::LinearModel& model)
     : options_(options), memory_(model.sensors.size()) {
   require_known(sensors, model);
+  // sqrt of diag(H Ph H^T): what the fleet's health makes of each sensor
+  const Eigen::VectorXd spread =
+      (estimation::steady_gain(model).H * model.health_sigma.asDiagonal()).rowwise().norm();
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
     trim_.push_back(model.sensors[i].trim);
-    percent_.push_back(
-        estimation::percent_of_trim(model.sensors[i], model.sensor_noise_sigma(static_cast<Eigen::Index>(i))));
+    const auto at = static_cast<Eigen::Index>(i);
+    percent_.push_back(std::max({estimation::percent_of_trim(model.sensors[i], 0.0), model.sensor_noise_sigma(at),
+                                 spread(at) / spreads_of_range}));
     const SensorKind kind = sensor_kind(options, sensors, model, i);
     stuck_.emplace_back(kind);
     told_.push_back(kind.update_samples > 0);

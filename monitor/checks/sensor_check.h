@@ -17,7 +17,9 @@ namespace ehm::monitor {
 
 class SensorCheck {
  public:
-  /// Range and rate of a sensor whose trim is 0 scale with its noise instead: 1 % of trim counts as one sigma there.
+  /// One percent, of range and rate, is the largest of one percent of the trim's size (scaling.h), one sigma of the
+  /// sensor's noise, and a tenth of what the fleet's health moves it by: the latter two where the trim has no size, or
+  /// lies near zero.
   /// @throws std::invalid_argument if one of `sensors` names no sensor of the model (names those that it has).
   SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
               const estimation::LinearModel& model);
@@ -40,7 +42,7 @@ class SensorCheck {
   };
 
   CheckOptions options_;
-  std::vector<double> trim_, percent_;  ///< trim and what one percent is, by sensor
+  std::vector<double> trim_, percent_;  ///< trim, and what one percent is, by sensor
   std::vector<Memory> memory_;
   std::vector<StuckWatch> stuck_;
   std::vector<bool> told_;  ///< by sensor: the model states its update period

@@ -1,12 +1,13 @@
 #include "monitor/estimation/scaling.h"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+
+#include "deploy/units/units.h"
 
 namespace ehm::estimation {
 namespace {
-
-constexpr double kelvin_per_rankine = 5.0 / 9.0;
 
 bool in_percent(const Channel& channel) {
   return channel.unit == "percent" || channel.unit == "%";
@@ -21,15 +22,21 @@ double health_scale(const Channel& channel) {
 
 struct ReportingUnit {
   double scale;
-  const char* name;
+  std::string name;
 };
+
+/// To kelvin; nothing where the channel is no temperature.
+std::optional<units::Conversion> to_kelvin(const Channel& channel) noexcept {
+  if (channel.unit.empty()) return std::nullopt;
+  return units::conversion(channel.unit, "K");
+}
 
 ReportingUnit auxiliary_scale(const Channel& channel) {
   const std::string& unit = channel.unit;
-  if (unit == "K" || unit == "degC") return {1.0, "K"};
-  if (unit == "degR" || unit == "R" || unit == "degF") return {1.0 / kelvin_per_rankine, "K"};
+  if (const auto kelvin = to_kelvin(channel)) return {1.0 / kelvin->factor, "K"};
   if (in_percent(channel) || unit == "point" || unit == "points") return {1.0, "points"};
   if (unit == "fraction" || unit == "-") return {0.01, "points"};
+  if (units::is_gauge_pressure(unit)) return {1.0, unit};
   if (channel.trim == 0.0) {
     throw std::invalid_argument("auxiliary output " + channel.name + " in " + unit +
                                 " has trim 0; allowed: non-zero, since its error is reported in percent of trim");
@@ -43,8 +50,15 @@ Eigen::MatrixXd rescaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& r
 
 }  // namespace
 
+double size_of_trim(const Channel& channel) noexcept {
+  if (units::is_gauge_pressure(channel.unit)) return 0.0;
+  const auto kelvin = to_kelvin(channel);
+  const bool from_absolute_zero = !kelvin || kelvin->offset == 0.0;
+  return std::abs(from_absolute_zero ? channel.trim : channel.trim + kelvin->offset / kelvin->factor);
+}
+
 double percent_of_trim(const Channel& channel, double without_trim) {
-  if (channel.trim != 0.0) return std::abs(channel.trim) / 100.0;
+  if (const double size = size_of_trim(channel); size > 0.0) return size / 100.0;
   return in_percent(channel) ? 1.0 : without_trim;
 }
 
@@ -63,7 +77,7 @@ Scaling scaling_of(const LinearModel& model) {
   for (Eigen::Index i = 0; i < r; ++i) {
     const ReportingUnit unit = auxiliary_scale(model.auxiliary[static_cast<std::size_t>(i)]);
     scaling.auxiliary(i) = unit.scale;
-    scaling.auxiliary_unit.emplace_back(unit.name);
+    scaling.auxiliary_unit.push_back(unit.name);
   }
   return scaling;
 }
@@ -92,11 +106,11 @@ LinearModel scaled(const LinearModel& model, const Scaling& scaling) {
     result.sensor_resolution = model.sensor_resolution.cwiseQuotient(scaling.sensor);
   for (std::size_t i = 0; i < result.states.size(); ++i) {
     result.states[i].trim /= scaling.state(static_cast<Eigen::Index>(i));
-    result.states[i].unit = model.states[i].trim != 0.0 ? "percent" : model.states[i].unit;
+    result.states[i].unit = size_of_trim(model.states[i]) > 0.0 ? "percent" : model.states[i].unit;
   }
   for (std::size_t i = 0; i < result.sensors.size(); ++i) {
     result.sensors[i].trim /= scaling.sensor(static_cast<Eigen::Index>(i));
-    const bool percent = model.sensors[i].trim != 0.0 || in_percent(model.sensors[i]);
+    const bool percent = size_of_trim(model.sensors[i]) > 0.0 || in_percent(model.sensors[i]);
     result.sensors[i].unit = percent ? "percent" : "noise sigma";
   }
   for (std::size_t i = 0; i < result.health.size(); ++i) {

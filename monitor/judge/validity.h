@@ -1,8 +1,8 @@
 #pragma once
 // Is the engine where the design's linear model holds? distance = the largest of |flight - point| / tolerance and
 // |actuator - trim| / tolerance; valid up to 1, and again below 0.9. The tolerance of an actuator is a percentage of
-// its trim, but its own for degrees and fractions, whose trim may be zero; with zero trim in another unit it is not
-// judged.
+// its trim, but its own for degrees and fractions, whose trim may be zero; with a trim that has no size (scaling.h) in
+// another unit it is not judged.
 //
 // Outside, the estimates would be extrapolation without a stated error: they are withheld. Real-time safe: yes.
 
@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "monitor/estimation/scaling.h"
 #include "monitor/judge/events.h"
 #include "monitor/options.h"
 #include "monitor/sample.h"
@@ -47,8 +48,8 @@ class Validity {
   static double tolerance(const ValidityOptions& options, const estimation::Channel& actuator) {
     if (actuator.unit == "deg") return options.vane_deg;
     if (actuator.unit == "fraction") return options.bleed_fraction;
-    const double percent_of_trim = 0.01 * options.actuator_percent * std::abs(actuator.trim);
-    return percent_of_trim > 0.0 ? percent_of_trim : std::numeric_limits<double>::infinity();
+    const double tolerance = 0.01 * options.actuator_percent * estimation::size_of_trim(actuator);
+    return tolerance > 0.0 ? tolerance : std::numeric_limits<double>::infinity();
   }
 
   ValidityOptions options_;

@@ -1,12 +1,14 @@
 #include "tuner_design/import/assemble_noise.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "deploy/files/csv_table.h"
 #include "monitor/design/file_error.h"
 #include "monitor/design/json_object.h"
 #include "monitor/estimation/scaling.h"
 #include "monitor/estimation/sensor_noise.h"
+#include "monitor/estimation/steady_gain.h"
 #include "tuner_design/import/assemble_channels.h"
 
 namespace ehm::bench {
@@ -72,6 +74,27 @@ void assemble_health_sigma(const Variables& given, const ImportOptions& options,
   }
 }
 
+/// A trim near zero, as that of a pressure difference, says nothing of the noise: half a percent of it may be a
+/// millionth of what the fleet's health moves the sensor by.
+void require_plausible_noise(const Variables& given, const LinearModel& model, const std::vector<bool>& assumed) {
+  constexpr double least = 1e-4;  // of the fleet's spread; instruments reach 1e-3
+  Eigen::MatrixXd H;
+  try {
+    H = estimation::steady_gain(model).H;
+  } catch (const std::runtime_error&) {
+    return;  // check_model says why there is no steady state
+  }
+  for (std::size_t i = 0; i < assumed.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const double spread = (H.row(at) * model.health_sigma.asDiagonal()).norm();
+    if (!assumed[i] || model.sensor_noise_sigma(at) >= least * spread) continue;
+    throw design::FileError(given.source + ": the noise of sensor " + model.sensors[i].name + " (" +
+                            model.sensors[i].unit + ") is not stated, and cannot be assumed in percent of trim, since " +
+                            files::shortest(model.sensors[i].trim) + " is near zero: the fleet's health moves it by " +
+                            files::shortest(spread) + ". Give sensor_noise_sigma or R.");
+  }
+}
+
 void assemble_sensor_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
   LinearModel& model = result.model;
   const auto m = static_cast<Eigen::Index>(model.sensors.size());
@@ -92,10 +115,11 @@ void assemble_sensor_noise(const Variables& given, const ImportOptions& options,
       throw design::FileError(given.source + ": the noise of sensor " + model.sensors[i].name + " (" +
                               model.sensors[i].unit +
                               ") is not stated, and cannot be assumed in percent of trim, since "
-                              "its trim is not stated or 0. Give sensor_noise_sigma or R.");
+                              "its trim is not stated, 0, or a gauge pressure. Give sensor_noise_sigma or R.");
     }
     sigma(at) = one_percent * percent;
   }
+  require_plausible_noise(given, model, missing);
   const std::string who = listed(model.sensors, missing);
   if (who.empty() && options.sensor_noise_percent) refuse_option(given, "the sensors' noise", "--sensor-noise");
   if (!who.empty() && !options.sensor_noise_percent) {
@@ -132,7 +156,7 @@ void assume_process_noise(const Variables& given, const ImportOptions& options, 
     throw design::FileError(given.source +
                             ": Q is not stated, and cannot be assumed in percent of trim, since the trim "
                             "of state " +
-                            state.name + " (" + state.unit + ") is not stated or 0. Give Q per sample.");
+                            state.name + " (" + state.unit + ") is not stated, 0, or a gauge pressure. Give Q per sample.");
   }
   model.process_noise = sigma.cwiseAbs2().asDiagonal();
   if (options.process_noise_percent) return;

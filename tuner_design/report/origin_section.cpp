@@ -70,7 +70,7 @@ DataTable channels(const ReportData& data) {
   };
   const auto percent_of_trim = [](const std::vector<estimation::Channel>& list, const std::string& otherwise) {
     return [&list, otherwise](std::size_t i) -> std::string {
-      if (list[i].trim != 0.0) return "percent of trim";
+      if (estimation::size_of_trim(list[i]) > 0.0) return "percent of trim";
       return list[i].unit == "percent" || list[i].unit == "%" ? "percent, as it is" : otherwise;
     };
   };

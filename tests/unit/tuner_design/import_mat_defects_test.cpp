@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
                       mat.cells("sensor_units", {"K", "percent"});
                     }),
                ": the noise of sensor y1 (K) is not stated, and cannot be assumed in percent of trim, since its trim "
-               "is not stated or 0. Give sensor_noise_sigma or R."},
+               "is not stated, 0, or a gauge pressure. Give sensor_noise_sigma or R."},
         Defect{"OperatingPoint", with("", [](MatWriter& mat) { mat.number("altitude_m", 1e4); }),
                ": mach is missing; an operating point is altitude_m, mach and delta_isa_k. Add it."},
         Defect{"ForeignLetters", with("", [](MatWriter& mat) { mat.text("name", "\x01"); }),

@@ -20,6 +20,40 @@ using wire::EventKind;
 constexpr int settle = 2000, flown = 20'000;  // 5 min
 constexpr std::array<std::size_t, 3> slow{3, 4, 5};
 
+/// The made-up engine with `count` of its sensors, from the third on, in kelvin or in degrees Celsius.
+estimation::LinearModel with_temperatures(const char* unit, std::size_t count) {
+  estimation::LinearModel model = test::made_up_model(7, 10);
+  const double zero = std::string_view(unit) == "degC" ? 273.15 : 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    model.sensors[i + 2].unit = unit;
+    model.sensors[i + 2].trim -= zero;
+  }
+  return model;
+}
+
+TEST(FieldSensors, AFlightInCelsiusIsThatInKelvin) {
+  const auto designed = [](const char* unit) {
+    return std::make_shared<const design::Design>(bench::design_tuner(with_temperatures(unit, 3), {}));
+  };
+  const auto kelvin = designed("K"), celsius = designed("degC");
+  EXPECT_TRUE(celsius->ssee.health.isApprox(kelvin->ssee.health, 1e-9));
+  EXPECT_TRUE(celsius->scaling.sensor.isApprox(kelvin->scaling.sensor, 1e-12));
+  const Eigen::VectorXd h = kelvin->model.health_sigma;
+  test::Flight a(kelvin->model, h, 5), b(celsius->model, h, 5);
+  MonitorCycle in_kelvin(kelvin, CycleOptions{}), in_celsius(celsius, CycleOptions{});
+  for (int k = 0; k < 3000; ++k) {
+    Sample s = a.next(), t = b.next();
+    if (k == 2000) s.sensor[3] += 200.0, t.sensor[3] += 200.0;  // out of rate in both
+    in_kelvin.process(s);
+    in_celsius.process(t);
+    ASSERT_EQ(in_kelvin.result().reason, in_celsius.result().reason) << k;
+    ASSERT_EQ(in_kelvin.events().size(), in_celsius.events().size()) << k;
+    in_kelvin.clear_events();
+    in_celsius.clear_events();
+  }
+  EXPECT_TRUE(in_celsius.filter().health().isApprox(in_kelvin.filter().health(), 1e-6));
+}
+
 struct Outcome {
   std::uint64_t estimates = 0, restarts = 0;
   double error2 = 0.0;    ///< mean square of the health errors over their published sigma, after settling

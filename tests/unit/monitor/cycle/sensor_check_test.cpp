@@ -14,11 +14,47 @@ using namespace ehm;
 using namespace ehm::monitor;
 namespace reason = ehm::wire::reject_reason;
 
-estimation::LinearModel one_sensor(double trim) {
+/// Health of a fleet with a sigma of 2 % moves the sensor by 20 (a sigma).
+estimation::LinearModel one_sensor(double trim, const char* unit = "K") {
   estimation::LinearModel model;
-  model.sensors = {{"T30", "K", trim}};
+  model.sensors = {{"T30", unit, trim}};
   model.sensor_noise_sigma = Eigen::VectorXd::Constant(1, 5.0);
+  model.health_sigma = Eigen::VectorXd::Constant(1, 0.02);
+  model.A = Eigen::MatrixXd::Constant(1, 1, 0.5);
+  model.L = model.C = Eigen::MatrixXd::Zero(1, 1);
+  model.M = Eigen::MatrixXd::Constant(1, 1, 1000.0);
+  model.F.resize(0, 1);
+  model.N.resize(0, 1);
   return model;
+}
+
+/// The largest deviation from trim that is in range, to half a unit.
+double range_of(const estimation::LinearModel& model) {
+  SensorCheck check{CheckOptions{}, {}, model};
+  double far = 0.0;
+  for (double each = 1.0; each < 2000.0; each += 0.5) {
+    check.reset();
+    Sample s;
+    s.sensor_valid = 1u;
+    s.sensor[0] = model.sensors[0].trim + each;
+    if (check.reasons(s, 0, 1) == 0) far = each;
+  }
+  return far;
+}
+
+TEST(SensorCheck, RangesDoNotDependOnTheZeroOfTheUnit) {
+  // 60 % of 1000 K; of 726.85 degC, which is the same; of 1340.33 degF in steps of 5/9 K
+  EXPECT_NEAR(range_of(one_sensor(1000.0)), 600.0, 0.5);
+  EXPECT_NEAR(range_of(one_sensor(726.85, "degC")), 600.0, 0.5);
+  EXPECT_NEAR(range_of(one_sensor(1340.33, "degF")), 1080.0, 0.5);
+  // 4 degC: 60 % of 277.15 K is less than 60 noise sigmas of 5
+  EXPECT_NEAR(range_of(one_sensor(4.0, "degC")), 300.0, 0.5);
+  // A gauge pressure, and a trim near zero: noise and spread count, 5 against 20 / 10
+  EXPECT_NEAR(range_of(one_sensor(1000.0, "psig")), 300.0, 0.5);
+  EXPECT_NEAR(range_of(one_sensor(0.01, "kPa")), 300.0, 0.5);
+  estimation::LinearModel quiet = one_sensor(0.01, "kPa");
+  quiet.sensor_noise_sigma(0) = 1e-3;
+  EXPECT_NEAR(range_of(quiet), 120.0, 0.5) << "six sigmas of the fleet";
 }
 
 class SensorCheckTest : public testing::Test {

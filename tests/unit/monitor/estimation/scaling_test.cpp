@@ -67,6 +67,28 @@ TEST(Scaling, StatesAndSensorsWithoutTrim) {
   EXPECT_EQ(scaling.sensor, Eigen::Vector2d(5.0, 0.25)) << "noise sigma where the trim is 0";
 }
 
+TEST(Scaling, ATemperatureCountsFromAbsoluteZeroWhateverItsUnit) {
+  // 4 degC = 277.15 K = 39.2 degF = 498.87 degR; a hundredth of it is 2.7715 K, or 4.9887 degF or degR.
+  EXPECT_DOUBLE_EQ(size_of_trim({"T", "K", 277.15}), 277.15);
+  EXPECT_DOUBLE_EQ(size_of_trim({"T", "degC", 4.0}), 277.15);
+  EXPECT_DOUBLE_EQ(size_of_trim({"T", "C", -10.0}), 263.15);
+  EXPECT_NEAR(size_of_trim({"T", "degF", 39.2}), 498.87, 1e-10);
+  EXPECT_DOUBLE_EQ(size_of_trim({"T", "degR", 498.87}), 498.87);
+  EXPECT_DOUBLE_EQ(percent_of_trim({"T", "degC", 0.0}, 0.1), 2.7315);
+  EXPECT_DOUBLE_EQ(size_of_trim({"x", "", -3.0}), 3.0) << "no unit";
+  EXPECT_DOUBLE_EQ(size_of_trim({"N", "rpm", 3650.0}), 3650.0);
+}
+
+TEST(Scaling, AGaugePressureHasNoSize) {
+  for (const char* unit : {"psig", "barg", "kPag", "kPa(g)"}) {
+    EXPECT_EQ(size_of_trim({"P", unit, 14.7}), 0.0) << unit;
+    EXPECT_EQ(percent_of_trim({"P", unit, 14.7}, 0.25), 0.25) << unit;
+  }
+  const Scaling scaling = scaling_of(with_auxiliary({"P", "psig", 0.1}));
+  EXPECT_EQ(scaling.auxiliary(0), 1.0);
+  EXPECT_EQ(scaling.auxiliary_unit[0], "psig");
+}
+
 TEST(Scaling, PercentWithoutTrimStaysAsItIs) {
   LinearModel model;
   model.states = {{"N1", "percent", 0.0}, {"N2", "%", 95.0}};
