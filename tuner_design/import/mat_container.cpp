@@ -84,9 +84,9 @@ MatImage read_mat_image(const std::string& path) {
   const std::string file = read_all(path);
   const bool little_endian = check_header(file, path);
   if (file.size() > most_bytes) refuse_size(path);
-  MatImage image{file.substr(0, header_size), 0};
+  MatImage image{file.substr(0, header_size), 0, {}};
   std::fill_n(image.bytes.begin() + 116, 8, '\0');  // offset of MATLAB's own data, which have moved
-  for (std::size_t at = header_size; at < file.size(); ++image.variables) {
+  for (std::size_t at = header_size; at < file.size();) {
     const bool has_tag = file.size() - at >= tag_size;
     const std::uint32_t type = has_tag ? unsigned_at(file, at, 4, little_endian) : 0;
     const std::uint64_t size = has_tag ? tag_size + unsigned_at(file, at + 4, 4, little_endian) : 0;
@@ -100,6 +100,15 @@ MatImage read_mat_image(const std::string& path) {
                       std::to_string(file.size()) + ". Save or copy it again.");
     }
     at += size;
+    const std::size_t array = start + tag_size;
+    if (auto object = object_in(std::string_view(image.bytes).substr(array), little_endian)) {
+      image.objects.push_back(std::move(*object));
+      image.bytes.resize(start);
+      continue;
+    }
+    for (MatObject& object : hide_objects(image.bytes, array, little_endian))
+      image.objects.push_back(std::move(object));
+    ++image.variables;
   }
   return image;
 }

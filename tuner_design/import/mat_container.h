@@ -3,18 +3,22 @@
 // bytes), then elements {type u32, size u32, data}: miMATRIX (14), or miCOMPRESSED (15), a deflated miMATRIX.
 //
 // What libmatio then reads is an image of it: inflated, and checked for sizes that the file does not hold, for which it
-// would allocate and search for minutes. (Compressed texts that libmatio 1.5.23 has written claim more bytes than they
+// would allocate and search for minutes. It has no objects (mat_object.h). (Compressed texts that libmatio 1.5.23 has written claim more bytes than they
 // have, and are refused as damaged.)
 // Source: MathWorks, MAT-File Format, chapter 1, "Level 5 MAT-File Format".
 
 #include <cstddef>
 #include <string>
+#include <vector>
+
+#include "tuner_design/import/mat_object.h"
 
 namespace ehm::bench {
 
 struct MatImage {
-  std::string bytes;          ///< header and miMATRIX elements
-  std::size_t variables = 0;  ///< number of elements
+  std::string bytes;               ///< header and miMATRIX elements
+  std::size_t variables = 0;       ///< number of elements
+  std::vector<MatObject> objects;  ///< that the file holds beside them, or within them, where zeros stand now
 };
 
 /// @throws files::FileError if the file cannot be read, is of another version (v4, v7.3: says how to save it), is no

@@ -4,63 +4,20 @@
 #include <cstdint>
 #include <optional>
 
-#include "tuner_design/import/mat_bytes.h"
+#include "tuner_design/import/mat_reader.h"
 
 namespace ehm::bench {
 namespace {
 
-constexpr std::uint32_t mi_uint32 = 6, mi_int32 = 5, mi_matrix = 14;
-constexpr std::uint32_t class_cell = 1, class_struct = 2, class_object = 3, class_char = 4, class_sparse = 5,
-                        class_uint64 = 15, class_function = 16, class_opaque = 17;
+using namespace mat;
 constexpr std::uint32_t complex_flag = 0x0800;
 constexpr int most_depth = 64;
-
-struct Element {
-  std::uint32_t type;
-  std::string_view data;
-};
 
 /// Bytes of one number or character by its type, 0 for what holds none.
 std::size_t size_of_type(std::uint32_t type) {
   constexpr std::array<std::size_t, 19> sizes{0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8, 0, 0, 1, 2, 4};
   return type < sizes.size() ? sizes[type] : 0;
 }
-
-/// The elements of an array, one after the other.
-class Reader {
- public:
-  Reader(std::string_view content, bool little_endian) : rest_(content), little_endian_(little_endian) {}
-
-  /// Nothing if the content ends before the element does.
-  std::optional<Element> next() {
-    if (rest_.size() < 8) return std::nullopt;
-    const std::uint32_t word = unsigned_at(rest_, 0, 4, little_endian_);
-    if (word >> 16U != 0) {
-      const std::size_t size = word >> 16U;
-      if (size > 4) return std::nullopt;
-      return take(word & 0xffffU, 4, size, 8);
-    }
-    const std::size_t size = unsigned_at(rest_, 4, 4, little_endian_);
-    const std::size_t padded = word == mi_matrix ? size : (size + 7) / 8 * 8;
-    return take(word, 8, size, 8 + padded);
-  }
-  std::size_t left() const { return rest_.size(); }
-  std::uint32_t word(std::string_view data, std::size_t index) const {
-    return unsigned_at(data, 4 * index, 4, little_endian_);
-  }
-  bool little_endian() const { return little_endian_; }
-
- private:
-  std::optional<Element> take(std::uint32_t type, std::size_t start, std::size_t size, std::size_t total) {
-    if (total > rest_.size()) return std::nullopt;
-    const Element element{type, rest_.substr(start, size)};
-    rest_.remove_prefix(total);
-    return element;
-  }
-
-  std::string_view rest_;
-  bool little_endian_;
-};
 
 /// `count` numbers, as one element.
 bool holds_numbers(Reader& reader, std::uint64_t count) {

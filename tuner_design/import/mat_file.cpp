@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "deploy/files/file_error.h"
 #include "tuner_design/import/mat_container.h"
@@ -50,7 +52,24 @@ class MemoryFile {
 struct Directory {
   std::vector<std::string> names;
   std::vector<std::string> structures;  ///< those of them that have a field A
+  std::vector<std::string> linmod;      ///< those that have fields a, b, c, d instead: what linmod and dlinmod return
 };
+
+/// The names that linmod gives to what a model needs.
+constexpr std::array<std::pair<const char*, const char*>, 7> linmod_names{{{"a", "A"},
+                                                                           {"b", "B"},
+                                                                           {"c", "C"},
+                                                                           {"d", "D"},
+                                                                           {"StateName", "state_names"},
+                                                                           {"InputName", "control_names"},
+                                                                           {"OutputName", "sensor_names"}}};
+
+/// The name that this project has for what linmod names so; the same for others.
+std::string from_linmod(const std::string& name) {
+  for (const auto& [theirs, ours] : linmod_names)
+    if (name == theirs) return ours;
+  return name;
+}
 
 bool is_number(const std::string& name) {
   return contains(matrix_variables, name) || contains(vector_variables, name) || contains(scalar_variables, name);
@@ -79,7 +98,11 @@ Directory read_directory(mat_t* file, const std::string& path, std::size_t count
     if (std::find(directory.names.begin(), directory.names.end(), name) != directory.names.end())
       throw FileError(path + ": variable " + name + " is there twice. Save it once.");
     directory.names.push_back(name);
-    if (variable->class_type == MAT_C_STRUCT && has_field(*variable, "A")) directory.structures.push_back(name);
+    if (variable->class_type != MAT_C_STRUCT) continue;
+    if (has_field(*variable, "A"))
+      directory.structures.push_back(name);
+    else if (has_field(*variable, "a") && has_field(*variable, "c"))
+      directory.linmod.push_back(name);
   }
   return directory;
 }
@@ -99,7 +122,27 @@ MatVariable read_variable(mat_t* file, const std::string& name, const std::strin
   return variable;
 }
 
-void take_structure(mat_t* file, const std::string& name, Variables& result) {
+/// An object in the place of something that is needed is refused, others are told as ignored.
+void refuse_or_ignore(const MatObject& object, const std::string& known_name, Variables& result) {
+  if (!is_known(known_name)) {
+    result.ignored.push_back(object.name + " (an object of class " + object.class_name + ")");
+    return;
+  }
+  throw FileError(result.path + ": " + object.name + " is an object of class " + object.class_name +
+                  "; allowed: a matrix of numbers, a text, or a cell array of texts. " + saved_otherwise(object) + ".");
+}
+
+/// Objects that are variables of their own, or fields of the structure `within`.
+void take_objects(const std::vector<MatObject>& objects, const std::string& within, bool linmod, Variables& result) {
+  const std::string prefix = within.empty() ? "" : within + ".";
+  for (const MatObject& object : objects) {
+    if (!object.name.starts_with(prefix)) continue;
+    const std::string name = object.name.substr(prefix.size());
+    if (name.find('.') == std::string::npos) refuse_or_ignore(object, linmod ? from_linmod(name) : name, result);
+  }
+}
+
+void take_structure(mat_t* file, const std::string& name, bool linmod, Variables& result) {
   const MatVariable structure = read_variable(file, name, result.path);
   result.source += ": " + name;
   if (structure->rank != 2 || structure->dims[0] * structure->dims[1] != 1)
@@ -108,7 +151,7 @@ void take_structure(mat_t* file, const std::string& name, Variables& result) {
   char* const* fields = Mat_VarGetStructFieldnames(structure.get());
   const unsigned count = Mat_VarGetNumberOfFields(structure.get());
   for (unsigned i = 0; i < count; ++i) {
-    const std::string field = fields[i];
+    const std::string field = linmod ? from_linmod(fields[i]) : fields[i];
     if (!is_known(field)) {
       result.ignored.push_back(field);
       continue;
@@ -119,23 +162,64 @@ void take_structure(mat_t* file, const std::string& name, Variables& result) {
   }
 }
 
-/// A is at the top level, or in one structure.
-void take_all(mat_t* file, const Directory& directory, Variables& result) {
-  const bool at_top = std::find(directory.names.begin(), directory.names.end(), "A") != directory.names.end();
-  if (!at_top && directory.structures.size() > 1) {
-    std::string names;
-    for (const std::string& name : directory.structures) names += (names.empty() ? "" : ", ") + name;
-    throw FileError(result.path + ": the structures " + names +
-                    " have a field A; allowed: one model in a file. Save one.");
-  }
-  if (!at_top && directory.structures.size() == 1) return take_structure(file, directory.structures.front(), result);
-  for (const std::string& name : directory.names) {
+/// All but the structure `taken`, which has been read already.
+void take_top_level(mat_t* file, const Directory& directory, bool linmod, const std::string& taken, Variables& result) {
+  for (const std::string& theirs : directory.names) {
+    if (theirs == taken) continue;
+    const std::string name = linmod ? from_linmod(theirs) : theirs;
     if (!is_known(name)) {
-      result.ignored.push_back(name);
-      continue;
+      result.ignored.push_back(theirs);
+    } else if (result.find(name) == nullptr && !result.texts.contains(name)) {
+      take(*read_variable(file, theirs, result.path), name, result);
     }
-    take(*read_variable(file, name, result.path), name, result);
   }
+}
+
+/// What linmod returns has no health parameters.
+void explain_linmod(const std::string& what, const Variables& result) {
+  if (result.find("L") != nullptr && result.find("M") != nullptr) return;
+  throw FileError(
+      result.path + ": " + what +
+      " has a, b, c, d, as linmod returns them, which are A, B, C, D here; a model also needs L and M, the "
+      "effect of health on states and sensors. Let the health parameters be further inputs when you "
+      "linearise, then save L = b(:,k+1:end), M = d(:,k+1:end), and the first k columns of b and d as B and "
+      "D, beside A = a and C = c.");
+}
+
+void require_one(const std::vector<std::string>& structures, const char* field, const std::string& path) {
+  if (structures.size() < 2) return;
+  std::string names;
+  for (const std::string& name : structures) names += (names.empty() ? "" : ", ") + name;
+  throw FileError(path + ": the structures " + names + " have a field " + field +
+                  "; allowed: one model in a file. Save one.");
+}
+
+/// A is at the top level, or in one structure; or a, as linmod has it.
+void take_all(mat_t* file, const Directory& directory, const std::vector<MatObject>& objects, Variables& result) {
+  const auto at_top = [&](const char* name) {
+    return std::find(directory.names.begin(), directory.names.end(), name) != directory.names.end();
+  };
+  if (!at_top("A")) require_one(directory.structures, "A", result.path);
+  const bool in_structure = !at_top("A") && directory.structures.size() == 1;
+  if (in_structure) {
+    take_objects(objects, directory.structures.front(), false, result);
+    return take_structure(file, directory.structures.front(), false, result);
+  }
+  const bool linmod_at_top = !at_top("A") && at_top("a") && at_top("c");
+  const bool linmod = !at_top("A") && !linmod_at_top && !directory.linmod.empty();
+  if (linmod) {
+    require_one(directory.linmod, "a", result.path);
+    take_objects(objects, directory.linmod.front(), true, result);
+    take_structure(file, directory.linmod.front(), true, result);
+  }
+  take_objects(objects, "", linmod_at_top, result);
+  take_top_level(file, directory, linmod_at_top, linmod ? directory.linmod.front() : "", result);
+  if (linmod || linmod_at_top) explain_linmod(linmod ? directory.linmod.front() : "the file", result);
+  const auto system = std::find_if(objects.begin(), objects.end(), is_system);
+  if (result.find("A") == nullptr && system != objects.end())
+    throw FileError(result.path + ": A is missing or empty, and " + system->name + " is an object of class " +
+                    system->class_name + ". " + saved_otherwise(*system) +
+                    ", and L and M, the effect of health on states and sensors.");
 }
 
 }  // namespace
@@ -159,7 +243,7 @@ Variables read_mat_file(const std::string& path) {
   result.path = path;
   result.source = path;
   result.format = "MATLAB v5 file";
-  take_all(file.get(), read_directory(file.get(), path, image.variables), result);
+  take_all(file.get(), read_directory(file.get(), path, image.variables), image.objects, result);
   return result;
 }
 
