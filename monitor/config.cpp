@@ -25,13 +25,15 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
               "at least a sigma of the sensor's noise and a tenth of what the fleet's health moves it by");
   schema.real("checks.rate_percent", c.rate_percent, 0.1, 1000, "percent of trim",
               "a larger step between two samples is impossible; one percent as for checks.range_percent");
-  schema.integer("checks.stuck_samples", c.stuck_samples, 3, 100000, "samples",
-                 "fewer equal values in a row are never a stuck channel; from how many on follows resolution and noise of "
-                 "each sensor, or its [[sensor]] table");
+  schema.integer(
+      "checks.stuck_samples", c.stuck_samples, 3, 100000, "samples",
+      "fewer equal values in a row are never a stuck channel; from how many on follows resolution and noise of "
+      "each sensor, or its [[sensor]] table");
   schema.real("checks.gate_sigma", c.gate_sigma, 2, 20, "sigma", "innovation gate: a value outside is not fused");
-  schema.integer("checks.bridge_samples", c.bridge_samples, 1, 1000, "samples",
-                 "bad values in a row that prediction bridges before the sensor is declared faulty; as many bad words of the "
-                 "flight condition or an actuator are replaced by the last good one");
+  schema.integer(
+      "checks.bridge_samples", c.bridge_samples, 1, 1000, "samples",
+      "bad values in a row that prediction bridges before the sensor is declared faulty; as many bad words of the "
+      "flight condition or an actuator are replaced by the last good one");
   schema.integer("checks.requalify_samples", c.requalify_samples, 1, 1000000, "samples",
                  "good values in a row before a faulty sensor is used again");
   schema.real("checks.restart_gap_s", c.restart_gap_s, 0.05, 3600, "s",
@@ -109,30 +111,30 @@ void declare_checkpoint(Schema& schema, MonitorConfig& m) {
 }
 
 void declare_sensors(Schema& schema, MonitorConfig& m) {
-  schema.tables(
-      "sensor",
-      "what is known of one sensor: name, stuck_samples (as many equal values in a row are stuck, 0 is never; without it "
-      "they follow resolution and noise), resolution (step of its values, in the channel's unit)",
-      [&m](const std::string& file, const toml::array& array) {
-        for (const auto& element : array) {
-          TableReader t(file, "sensor", *element.as_table());
-          SensorOptions sensor{.name = t.text("name")};
-          if (t.has("stuck_samples")) sensor.stuck_samples = t.integer("stuck_samples", 0, 10'000'000);
-          if (t.has("resolution")) sensor.resolution = t.real("resolution", 0, 1e12);
-          t.finish();
-          if (sensor.stuck_samples == 1)
-            throw ConfigError(config::where(file, element) + ": 'sensor.stuck_samples' for '" + sensor.name +
-                              "' is 1, allowed is 0 (never) or from 2 on");
-          if (sensor.stuck_samples < 0 && sensor.resolution < 0.0)
-            throw ConfigError(config::where(file, element) + ": 'sensor' for '" + sensor.name +
-                              "' needs stuck_samples, resolution or both");
-          for (const auto& other : m.cycle.sensors)
-            if (other.name == sensor.name)
-              throw ConfigError(config::where(file, element) + ": 'sensor.name' names '" + sensor.name +
-                                "' twice; one table is allowed");
-          m.cycle.sensors.push_back(sensor);
-        }
-      });
+  schema.tables("sensor",
+                "what is known of one sensor: name, stuck_samples (as many equal values in a row are stuck, 0 is "
+                "never; without it "
+                "they follow resolution and noise), resolution (step of its values, in the channel's unit)",
+                [&m](const std::string& file, const toml::array& array) {
+                  for (const auto& element : array) {
+                    TableReader t(file, "sensor", *element.as_table());
+                    SensorOptions sensor{.name = t.text("name")};
+                    if (t.has("stuck_samples")) sensor.stuck_samples = t.integer("stuck_samples", 0, 10'000'000);
+                    if (t.has("resolution")) sensor.resolution = t.real("resolution", 0, 1e12);
+                    t.finish();
+                    if (sensor.stuck_samples == 1)
+                      throw ConfigError(config::where(file, element) + ": 'sensor.stuck_samples' for '" + sensor.name +
+                                        "' is 1, allowed is 0 (never) or from 2 on");
+                    if (sensor.stuck_samples < 0 && sensor.resolution < 0.0)
+                      throw ConfigError(config::where(file, element) + ": 'sensor' for '" + sensor.name +
+                                        "' needs stuck_samples, resolution or both");
+                    for (const auto& other : m.cycle.sensors)
+                      if (other.name == sensor.name)
+                        throw ConfigError(config::where(file, element) + ": 'sensor.name' names '" + sensor.name +
+                                          "' twice; one table is allowed");
+                    m.cycle.sensors.push_back(sensor);
+                  }
+                });
 }
 
 void declare_tables(Schema& schema, MonitorConfig& m) {

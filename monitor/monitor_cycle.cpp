@@ -80,8 +80,7 @@ void MonitorCycle::judge() noexcept {
   if (!valid_) return;
   detect();
   if (!have_design_) return shift_.reset();
-  const bool wait =
-      faults_.pending() || ambiguous_.raised() || declared_.kind != FaultKind::none || slow_start();
+  const bool wait = faults_.pending() || ambiguous_.raised() || declared_.kind != FaultKind::none || slow_start();
   shift_.judge(filter_.tuners(), filter_.sensor_set().missing(), wait, events_);
   if (filter_.sensor_set().is_full() && error_.settled()) slow_bias_.judge(filter_.tuners(), events_);
   limits_.judge(filter_.health(), filter_.auxiliary(), events_);

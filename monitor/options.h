@@ -22,7 +22,7 @@ struct CheckOptions {
 /// What an operator knows of one sensor (checks/stuck_watch.h).
 struct SensorOptions {
   std::string name;
-  std::int64_t stuck_samples = -1;  ///< as many equal values in a row are stuck; 0: never; -1: by its resolution and noise
+  std::int64_t stuck_samples = -1;  ///< as many equal values in a row are stuck; 0: never; -1: by its kind
   double resolution = -1.0;         ///< step of its values, channel unit; -1: the model's
   friend bool operator==(const SensorOptions&, const SensorOptions&) = default;
 };

@@ -97,9 +97,9 @@ bool ConditionCheck::mend(std::size_t word, double& value, int steps, EventList&
   const bool begins = state == WordCheck::State::moved || state == WordCheck::State::lost;
   const auto detail = static_cast<std::uint32_t>(state == WordCheck::State::lost);
   if (begins || check.steady())
-    fault_[word].set(
-        begins, {wire::EventKind::condition_fault, static_cast<std::uint32_t>(word), begins, came, good, detail},
-        events);
+    fault_[word].set(begins,
+                     {wire::EventKind::condition_fault, static_cast<std::uint32_t>(word), begins, came, good, detail},
+                     events);
   return state != WordCheck::State::lost;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
-// One bad word among the flight condition and the actuators: not finite, or a jump that no aircraft or actuator makes in
-// the time since the last good word,
+// One bad word among the flight condition and the actuators: not finite, or a jump that no aircraft or actuator makes
+// in the time since the last good word,
 //
 //   |word - good| > jump + slew * time      altitude 100 m + 150 m/s, Mach 0.03 + 0.1/s, ambient 5 K + 2 K/s
 //                                           actuator 10 % of trim + 100 %/s; in degrees 3 + 60/s; fraction 0.03 + 1/s
 //
-// An actuator with zero trim in another unit is only asked to be finite. A bad word is replaced by the last good one, for
-// checks.bridge_samples at most, so that neither filter nor validity sees it. What lasts longer:
+// An actuator with zero trim in another unit is only asked to be finite. A bad word is replaced by the last good one,
+// for checks.bridge_samples at most, so that neither filter nor validity sees it. What lasts longer:
 //
 //   moved    the words agree among each other, at another place: they are believed from then on (a real step of the
 //            operating point, which ends the estimates by the validity check, that much later)

@@ -25,11 +25,11 @@ namespace ehm::monitor {
 
 /// What is known of a sensor beforehand.
 struct SensorKind {
-  double noise_sigma = 0.0;          ///< s
-  double resolution = 0.0;           ///< q; 0: not stated
-  std::int64_t update_samples = 0;   ///< n; 0: not stated
-  std::int64_t least = 20;           ///< shortest run that may count as frozen
-  std::int64_t operators_limit = -1; ///< samples; 0: never; -1: by the rule above
+  double noise_sigma = 0.0;           ///< s
+  double resolution = 0.0;            ///< q; 0: not stated
+  std::int64_t update_samples = 0;    ///< n; 0: not stated
+  std::int64_t least = 20;            ///< shortest run that may count as frozen
+  std::int64_t operators_limit = -1;  ///< samples; 0: never; -1: by the rule above
 };
 
 class StuckWatch {

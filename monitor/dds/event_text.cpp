@@ -50,9 +50,10 @@ std::string sensor_fault(const Event& e, const estimation::LinearModel& model) {
   namespace reason = wire::reject_reason;
   const auto& sensor = model.sensors.at(e.channel);
   if (e.detail & reason::stuck)
-    return fmt::format("stuck: {:.0f} equal values in a row, a healthy one shows fewer than {:.0f}; stuck_samples in its "
-                       "[[sensor]] table sets the limit",
-                       e.value, e.threshold);
+    return fmt::format(
+        "stuck: {:.0f} equal values in a row, a healthy one shows fewer than {:.0f}; stuck_samples in its "
+        "[[sensor]] table sets the limit",
+        e.value, e.threshold);
   if (e.detail & reason::noise) return fmt::format("its noise grew {:.1f} times or more", e.value);
   if (!(e.detail & reason::bias)) return reasons(e.detail);
   const double sigma = model.sensor_noise_sigma(static_cast<Eigen::Index>(e.channel));
@@ -221,9 +222,10 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
       return condition_fault(e, model);
     case wire::EventKind::slow_sensor:
       if (!e.raised) return fmt::format("sensor {} is updated with each sample again", c->name);
-      return fmt::format("sensor {} is updated every {:.3g} s, the design has {:.3g} s: each value is used once, and its "
-                         "share of the estimates is slower; state its update_period_s and design anew",
-                         c->name, e.value, e.threshold);
+      return fmt::format(
+          "sensor {} is updated every {:.3g} s, the design has {:.3g} s: each value is used once, and its "
+          "share of the estimates is slower; state its update_period_s and design anew",
+          c->name, e.value, e.threshold);
     case wire::EventKind::checkpoint:
       return checkpoint_text(e);
     case wire::EventKind::source_stamps:

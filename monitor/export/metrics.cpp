@@ -53,7 +53,7 @@ constexpr StatusMetric engine_metrics[]{
     EHM_COUNTER("ehm_samples_foreign_total", samples_foreign, "Samples of a second source, dropped."),
     EHM_COUNTER("ehm_samples_malformed_total", samples_malformed, "Samples that cannot be read, dropped."),
     EHM_COUNTER("ehm_samples_withheld_total", samples_withheld, "Samples in order without an honest estimate."),
-    EHM_COUNTER("ehm_sensor_rejections_total", sensor_rejections, 
+    EHM_COUNTER("ehm_sensor_rejections_total", sensor_rejections,
                 "Sensor values that were not fused, words of flight condition and actuators that were replaced."),
     EHM_COUNTER("ehm_filter_restarts_total", filter_restarts, "Cold starts of the filter."),
     EHM_COUNTER("ehm_deadline_misses_total", deadline_misses, "Estimates later than one sample time."),

@@ -130,9 +130,8 @@ void assemble_sensor_noise(const Variables& given, const ImportOptions& options,
 
 /// What sensors state of their resolution or update period; empty where none does.
 Eigen::VectorXd fineness(const Variables& given, const std::string& name, Eigen::Index m) {
-  const Eigen::VectorXd values = sigmas(given, name, m, "row of C").unaryExpr([](double v) {
-    return std::isnan(v) ? 0.0 : v;
-  });
+  const Eigen::VectorXd values =
+      sigmas(given, name, m, "row of C").unaryExpr([](double v) { return std::isnan(v) ? 0.0 : v; });
   return values.isZero(0.0) ? Eigen::VectorXd() : values;
 }
 

@@ -31,12 +31,14 @@ TEST(EventText, SaysWhatHappenedToWhichChannel) {
   namespace reason = wire::reject_reason;
   EXPECT_EQ(text({EventKind::sensor_fault, 0, true, 1.4, 1.0, reason::range | reason::rate}),
             "sensor T30 is faulty (out of range, impossible rate) and no longer used");
-  EXPECT_EQ(text({EventKind::sensor_fault, 0, true, 198.0, 198.0, reason::stuck | reason::innovation_gate}),
-            "sensor T30 is faulty (stuck: 198 equal values in a row, a healthy one shows fewer than 198; stuck_samples in "
-            "its [[sensor]] table sets the limit) and no longer used");
-  EXPECT_EQ(text({EventKind::slow_sensor, 0, true, 0.495, 0.015, 0}),
-            "sensor T30 is updated every 0.495 s, the design has 0.015 s: each value is used once, and its share of the "
-            "estimates is slower; state its update_period_s and design anew");
+  EXPECT_EQ(
+      text({EventKind::sensor_fault, 0, true, 198.0, 198.0, reason::stuck | reason::innovation_gate}),
+      "sensor T30 is faulty (stuck: 198 equal values in a row, a healthy one shows fewer than 198; stuck_samples in "
+      "its [[sensor]] table sets the limit) and no longer used");
+  EXPECT_EQ(
+      text({EventKind::slow_sensor, 0, true, 0.495, 0.015, 0}),
+      "sensor T30 is updated every 0.495 s, the design has 0.015 s: each value is used once, and its share of the "
+      "estimates is slower; state its update_period_s and design anew");
   EXPECT_EQ(text({EventKind::condition_fault, 0, true, 0.0, 10668.0, 0}),
             "altitude_m jumped from 10668 to 0 m between two samples and stays there: it is believed");
   EXPECT_EQ(text({EventKind::condition_fault, 1, true, std::nan(""), 0.8, 1}),

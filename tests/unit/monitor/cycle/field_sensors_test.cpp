@@ -56,8 +56,8 @@ TEST(FieldSensors, AFlightInCelsiusIsThatInKelvin) {
 
 struct Outcome {
   std::uint64_t estimates = 0, restarts = 0;
-  double error2 = 0.0;    ///< mean square of the health errors over their published sigma, after settling
-  double distance2 = 0.0; ///< mean square of the health errors over the fleet's sigma
+  double error2 = 0.0;     ///< mean square of the health errors over their published sigma, after settling
+  double distance2 = 0.0;  ///< mean square of the health errors over the fleet's sigma
   std::vector<Event> events;
 
   int raised(EventKind kind) const {
@@ -148,19 +148,21 @@ TEST(FieldSensors, ADesignThatKnowsOfSlowAndCoarseSensorsFusesEachValueHonestly)
     model.sensor_update_period_s(at) = 33.0 * model.sample_time_s;
     model.sensor_noise_sigma(at) *= std::sqrt(33.0 * (1.0 + 1.0 / 12.0));
   }
-  const auto design =
-      std::make_shared<const design::Design>(bench::design_tuner(model, design::DesignOptions{}));
+  const auto design = std::make_shared<const design::Design>(bench::design_tuner(model, design::DesignOptions{}));
   const estimation::LinearModel own = test::made_up_model(7, 10);
   test::Random random(5);
-  const Outcome outcome = fly(design, flown, [&](Sample& s, const Sample& last) {
-    for (const std::size_t i : slow) {
-      // The flight's noise is the counted one; the sensor's own takes its place.
-      const double q = model.sensor_resolution(static_cast<Eigen::Index>(i));
-      const double noise = own.sensor_noise_sigma(static_cast<Eigen::Index>(i)) * random.normal();
-      s.sensor[i] = q * std::round((s.sensor[i] + noise) / q);
-      hold(s, last, i, 33);
-    }
-  }, 1e-3);
+  const Outcome outcome = fly(
+      design, flown,
+      [&](Sample& s, const Sample& last) {
+        for (const std::size_t i : slow) {
+          // The flight's noise is the counted one; the sensor's own takes its place.
+          const double q = model.sensor_resolution(static_cast<Eigen::Index>(i));
+          const double noise = own.sensor_noise_sigma(static_cast<Eigen::Index>(i)) * random.normal();
+          s.sensor[i] = q * std::round((s.sensor[i] + noise) / q);
+          hold(s, last, i, 33);
+        }
+      },
+      1e-3);
   expect_quiet(outcome);
   EXPECT_EQ(outcome.raised(EventKind::slow_sensor), 0);
   EXPECT_EQ(outcome.estimates, static_cast<std::uint64_t>(flown));
@@ -209,8 +211,7 @@ TEST(FieldSensors, AModelWithoutControlsAndOutputsFlies) {
   model.auxiliary.clear();
   for (Eigen::MatrixXd* matrix : {&model.B, &model.D, &model.G}) matrix->resize(matrix->rows(), 0);
   for (Eigen::MatrixXd* matrix : {&model.F, &model.G, &model.N}) matrix->resize(0, matrix->cols());
-  const auto design =
-      std::make_shared<const design::Design>(bench::design_tuner(model, design::DesignOptions{}));
+  const auto design = std::make_shared<const design::Design>(bench::design_tuner(model, design::DesignOptions{}));
   const Outcome outcome = fly(design, settle + 1000, nothing);
   EXPECT_TRUE(outcome.events.empty());
   EXPECT_EQ(outcome.estimates, static_cast<std::uint64_t>(settle + 1000));

@@ -67,11 +67,11 @@ TEST(StuckWatch, AStatedKindIsJudgedFromTheFirstValueOn) {
 }
 
 TEST(StuckWatch, HealthySensorsAreNotCalledFrozen) {
-  for (const Healthy& healthy : {Healthy{}, Healthy{.sigma = 5.0, .resolution = 1.0}, Healthy{.resolution = 1.0},
-                                 Healthy{.sigma = 0.5, .resolution = 1.0}, Healthy{.sigma = 0.2, .resolution = 1.0},
-                                 Healthy{.sigma = 0.1, .resolution = 1.0}, Healthy{.sigma = 0.0, .resolution = 1.0},
-                                 Healthy{.held = 33}, Healthy{.sigma = 5.0, .resolution = 1.0, .held = 33},
-                                 Healthy{.sigma = 0.5, .resolution = 1.0, .held = 33}}) {
+  for (const Healthy& healthy :
+       {Healthy{}, Healthy{.sigma = 5.0, .resolution = 1.0}, Healthy{.resolution = 1.0},
+        Healthy{.sigma = 0.5, .resolution = 1.0}, Healthy{.sigma = 0.2, .resolution = 1.0},
+        Healthy{.sigma = 0.1, .resolution = 1.0}, Healthy{.sigma = 0.0, .resolution = 1.0}, Healthy{.held = 33},
+        Healthy{.sigma = 5.0, .resolution = 1.0, .held = 33}, Healthy{.sigma = 0.5, .resolution = 1.0, .held = 33}}) {
     SCOPED_TRACE(testing::Message() << "sigma " << healthy.sigma << ", resolution " << healthy.resolution << ", held "
                                     << healthy.held);
     StuckWatch untold(SensorKind{.noise_sigma = 5.0});

@@ -138,7 +138,7 @@ const Defect defects[] = {
     {"UnknownChannelKey", [](Json& j) { j["states"][0]["sigma"] = 1; },
      "key states[0].sigma is unknown; allowed here: name, trim, unit. Correct the spelling or remove it."},
     {"Resolution", [](Json& j) { j["sensors"][1]["resolution"] = 0; },
-     "sensors[1].resolution is 0; allowed: a number above 0. Correct the value."},
+     "sensors[1].resolution is 0.0; allowed: a number above 0. Correct the value."},
     {"Schema", [](Json& j) { j["schema"] = "ehm-linear-model/0"; },
      "schema is \"ehm-linear-model/0\"; allowed: \"ehm-linear-model/1\". Convert the file to this format."},
     {"Time", [](Json& j) { j["time"] = "sampled"; },
