@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
              ":2: 4 cells found, 3 expected, as many as the first row has", "a comma for thousands"},
         Torn{"thousands_or_decimals", comma_with_header, "t,p\n0,752\n1,752,747\n", ":3: 3 cells found, 2 expected",
              "a comma for thousands; write numbers without it, or a decimal comma"},
-        Torn{"one_decimal_comma", comma_with_header, "k,M,T\n1,0,824,390\n2,0,82,391\n",
+        Torn{"one_decimal_comma", comma_with_header, "k,M,T\n1,0,82,39\n2,0,824,39\n",
              ":2: 4 cells found, 3 expected", "a decimal comma"},
         Torn{"semicolons", comma_with_header, "t;M;T\n0;0,8;390,1\n", ":2: 3 cells found, 1 expected",
              "semicolons between the cells"},

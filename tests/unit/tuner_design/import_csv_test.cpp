@@ -81,7 +81,12 @@ TEST_F(ImportCsv, ResolutionCountsInTheNoise) {
 TEST_F(ImportCsv, MistakesAreNamedByFileAndLine) {
   EXPECT_EQ(refusal("M.csv", "0,0\n0.7,nan\n"),
             "/M.csv:2: column 2 is 'nan'; allowed: a finite number, point as decimal sign, commas between numbers.");
-  EXPECT_THAT(refusal("M.csv", "0,0\n0.7\n"), HasSubstr("/M.csv:2: 1 cells found, 2 expected, as many as the first row"));
+  EXPECT_THAT(refusal("M.csv", "0,0\n0.7\n"),
+              testing::HasSubstr("/M.csv:2: 1 cells found, 2 expected, as many as the first row has"));
+  EXPECT_THAT(refusal("M.csv", "0.25,0.15\n0.75,0.1"), testing::HasSubstr("/M.csv:2: the last line has no newline"));
+  EXPECT_THAT(
+      refusal("M.csv", "0,25,0,05\n0,75,0,10\n"),
+      testing::HasSubstr("/M.csv:1: column 4 is '05'; allowed: a number without leading zeros; is it torn off"));
   EXPECT_EQ(refusal("M.csv", "0;0\n0.7;1\n"),
             "/M.csv:1: column 1 is '0;0'; allowed: a finite number, point as decimal sign, commas between numbers.");
   folder_.file("M.csv", "0,0\n0.7,0.1\n");
