@@ -10,16 +10,32 @@ namespace ehm::wire {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
+StrangerWatch::Seen* StrangerWatch::find(const rtps::GUID_t& guid) {
+  for (Seen& seen : seen_)
+    if (seen.state != State::empty && seen.guid == guid) return &seen;
+  return nullptr;
+}
+
+void StrangerWatch::remember(Seen seen) {
+  seen_[next_] = std::move(seen);
+  next_ = (next_ + 1) % seen_.size();
+  changed_.notify_all();
+}
+
 void StrangerWatch::on_participant_discovery(eprosima::fastdds::dds::DomainParticipant*,
                                              rtps::ParticipantDiscoveryInfo&& info) {
   using Info = rtps::ParticipantDiscoveryInfo;
-  if (info.status == Info::DISCOVERED_PARTICIPANT) {
-    const std::lock_guard lock(mutex_);
-    seen_[next_] = {State::pending, info.info.m_guid, participant_text(info.info), Clock::now()};
-    next_ = (next_ + 1) % seen_.size();
+  const std::lock_guard lock(mutex_);
+  Seen* known = find(info.info.m_guid);
+  if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
+    if (known) known->state = State::empty;
     changed_.notify_all();
-  } else if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
-    settle(info.info.m_guid);
+  } else if (info.status == Info::DISCOVERED_PARTICIPANT) {
+    // Who is turned away at once may be announced after that, by another thread.
+    if (known)
+      known->description = participant_text(info.info);
+    else
+      remember({State::pending, info.info.m_guid, participant_text(info.info), Clock::now()});
   }
 }
 
@@ -56,14 +72,14 @@ void StrangerWatch::tell_overdue(Clock::time_point now) {
 
 std::string StrangerWatch::settle(const rtps::GUID_t& guid) {
   const std::lock_guard lock(mutex_);
-  for (Seen& seen : seen_) {
-    if (seen.state == State::empty || !(seen.guid == guid)) continue;
-    seen.state = State::settled;
+  if (Seen* known = find(guid)) {
+    known->state = State::settled;
     changed_.notify_all();
-    return seen.description;
+    return known->description;
   }
   std::ostringstream text;
   text << guid;
+  remember({State::settled, guid, text.str(), Clock::now()});
   return text.str();
 }
 

@@ -45,6 +45,8 @@ class StrangerWatch : public eprosima::fastdds::dds::DomainParticipantListener {
                                 eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
   void onParticipantAuthentication(eprosima::fastdds::dds::DomainParticipant*,
                                    eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
+  Seen* find(const eprosima::fastrtps::rtps::GUID_t& guid);
+  void remember(Seen seen);
   /// Takes it off the pending ones; its description, or its GUID if it is forgotten.
   std::string settle(const eprosima::fastrtps::rtps::GUID_t& guid);
 
