@@ -42,11 +42,9 @@ SensorProblem problem_of(const Arguments& arguments, const estimation::LinearMod
   }
 }
 
-/// A JSON model may have more sensors here than a design may.
+/// A model may have more sensors here than a design may.
 estimation::LinearModel candidates_of(const Arguments& arguments) {
-  if (is_foreign_model(arguments.model)) return import_model(arguments.model, arguments.import).model;
-  refuse_import_options(arguments.model, arguments.import);
-  return design::read_model(arguments.model, max_candidates);
+  return import_model(arguments.model, arguments.import, max_candidates).model;
 }
 
 void select(const Arguments& arguments, const Console& console) {
