@@ -46,7 +46,8 @@ Eigen::Index most_tuners(const PreparedPoint& point, const std::vector<int>& sen
 std::vector<int> seeing_sensors(const std::vector<PreparedPoint>& points, const std::vector<int>& sensors) {
   std::vector<bool> sees(sensors.size(), false);
   for (const PreparedPoint& point : points) {
-    const Eigen::VectorXd signal = fleet_signal(point, sensors).rowwise().norm().cwiseQuotient(point.model.sensor_noise_sigma(sensors));
+    const Eigen::VectorXd signal =
+        fleet_signal(point, sensors).rowwise().norm().cwiseQuotient(point.model.sensor_noise_sigma(sensors));
     const double least = Observability::relative_tolerance * signal.maxCoeff();
     for (std::size_t i = 0; i < sensors.size(); ++i) {
       const double own = signal(static_cast<Eigen::Index>(i));

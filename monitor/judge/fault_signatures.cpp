@@ -29,7 +29,8 @@ struct Plant {
 Plant plant_of(const design::Design& design) {
   const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
   const Eigen::Index n = model.A.rows();
-  Plant plant{design.full.A.topLeftCorner(n, n), {}, model.C, model.M, model.sensor_noise_sigma, model.health_sigma, {}};
+  Plant plant{
+      design.full.A.topLeftCorner(n, n), {}, model.C, model.M, model.sensor_noise_sigma, model.health_sigma, {}};
   // The steady state is the same in either time form: L = (I - A) X.
   const estimation::SteadyGain steady = estimation::steady_gain(model);
   plant.L = (Eigen::MatrixXd::Identity(n, n) - plant.A) * steady.X;
@@ -74,8 +75,8 @@ void add_noise(FaultSignatures& s, const design::SubsetDesign& set, const Plant&
   const Eigen::Index size = set.A.rows();
   const Eigen::MatrixXd settled = (Eigen::MatrixXd::Identity(size, size) - closed_loop).partialPivLu().solve(set.K);
   const Eigen::MatrixXd residual = Eigen::MatrixXd::Identity(s.sensors, s.sensors) - prediction * settled;
-  s.inverse_S(set.sensors, set.sensors) =
-      blind_inverse(S(set.sensors, set.sensors), residual(set.sensors, Eigen::all) * plant.fleet, plant.noise_sigma(set.sensors));
+  s.inverse_S(set.sensors, set.sensors) = blind_inverse(
+      S(set.sensors, set.sensors), residual(set.sensors, Eigen::all) * plant.fleet, plant.noise_sigma(set.sensors));
   s.innovation_sigma.setOnes(s.sensors);
   for (const int i : set.sensors) s.innovation_sigma(i) = std::sqrt(S(i, i));
 }

@@ -7,7 +7,6 @@
 #include "deploy/files/csv_table.h"
 #include "deploy/long_work/parallel_for.h"
 #include "monitor/design/file_error.h"
-#include "monitor/design/model_file.h"
 #include "tuner_design/design_command.h"
 #include "tuner_design/import_options.h"
 #include "tuner_design/sensors/sensor_costs.h"

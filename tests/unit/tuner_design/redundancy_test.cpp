@@ -1,6 +1,6 @@
-// Sensors that repeat each other, or see nothing: rank decides how many tuners there are, and an extra probe never makes
-// the filter slower or worse. Expected errors come from the design without the extra probe, or from weighting: two equal
-// probes are one with the sum of their information, so that 1/sigma^2 adds up.
+// Sensors that repeat each other, or see nothing: rank decides how many tuners there are, and an extra probe never
+// makes the filter slower or worse. Expected errors come from the design without the extra probe, or from weighting:
+// two equal probes are one with the sum of their information, so that 1/sigma^2 adds up.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
