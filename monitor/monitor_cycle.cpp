@@ -283,8 +283,11 @@ void MonitorCycle::update() noexcept {
 
 void MonitorCycle::choose_design() noexcept {
   int excluded = 0, missing = -1;
-  for (int i = 0; i < sensors_; ++i)
-    if (qualification_[static_cast<std::size_t>(i)].state() == Qualification::State::excluded) ++excluded, missing = i;
+  const estimation::SensorMask wanted = filter_.model().full.sensors;  // no design needs the others
+  for (int i = 0; i < sensors_; ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    if (wanted[s] && qualification_[s].state() == Qualification::State::excluded) ++excluded, missing = i;
+  }
 
   const bool had_design = have_design_;
   have_design_ = excluded == 0 || (excluded == 1 && filter_.available(SensorSet::without(missing)));

@@ -15,6 +15,7 @@
 #include "tuner_design/certificate_report.h"
 #include "tuner_design/choose_tuners.h"
 #include "tuner_design/discretise.h"
+#include "tuner_design/tuner_number.h"
 
 namespace ehm::bench {
 namespace {
@@ -23,7 +24,7 @@ using estimation::LinearModel;
 
 /// Augmented pair on the closed-form tuners: [A, L W; 0, I], [C, M W].
 Eigen::VectorXd augmented_pair(const LinearModel& discrete, const Eigen::MatrixXd& H) {
-  const Eigen::Index tuners = std::min(H.rows(), H.cols());
+  const Eigen::Index tuners = steady_observability(discrete, H).rank;
   const Eigen::MatrixXd R = discrete.sensor_noise_sigma.cwiseAbs2().asDiagonal();
   const Eigen::MatrixXd W =  // orthonormal rows: W = V^T
       closed_form_tuners(H, R, discrete.health_sigma, tuners).transpose();
@@ -76,13 +77,14 @@ CheckedFile check_file(const std::string& path, const ImportOptions& options) {
   const LinearModel discrete = estimation::scaled(discretise(file.model), estimation::scaling_of(file.model));
   const estimation::SteadyGain steady = estimation::steady_gain(discrete);
   file.observability = steady_observability(discrete, steady.H);
-  if (file.observability.sufficient()) file.pair_singular_values = augmented_pair(discrete, steady.H);
+  file.blind = blind_sensors(discrete, seeing_sensors({{discrete, {}, steady}}, all_sensors(discrete)));
+  if (file.observability.rank > 0) file.pair_singular_values = augmented_pair(discrete, steady.H);
   return file;
 }
 
 void require_observable(const CheckedFile& file, const std::string& path) {
   try {
-    require_observable(file.observability, file.model.sensors.size() < file.model.health.size());
+    require_observable(file.observability);
   } catch (const std::runtime_error& error) {
     throw design::FileError(path + ": " + error.what());
   }
@@ -100,9 +102,10 @@ nlohmann::ordered_json check_as_json(const CheckedFile& file) {
           {"health", file.model.health.size()},
           {"sensors", file.model.sensors.size()},
           {"auxiliary", file.model.auxiliary.size()},
-          {"observable", seen.sufficient()},
+          {"observable", seen.rank > 0},
           {"rank", seen.rank},
           {"needed_rank", seen.needed_rank},
+          {"blind_sensors", file.blind},
           {"singular_values", values(seen.singular_values)},
           {"condition", seen.condition},
           {"pair_singular_values", values(file.pair_singular_values)},
@@ -113,6 +116,11 @@ nlohmann::ordered_json check_as_json(const CheckedFile& file) {
 
 void print_assumed(const std::vector<std::string>& assumed, std::ostream& out) {
   for (const std::string& assumption : assumed) out << "  assumed        " << assumption << '\n';
+}
+
+void print_blind(const std::vector<std::string>& blind, std::ostream& out) {
+  for (const std::string& name : blind)
+    out << "  blind sensor   " << name << " sees nothing of health in the steady state; no design uses it\n";
 }
 
 void print_check(const CheckedFile& file, std::ostream& out) {
@@ -136,6 +144,9 @@ void print_check(const CheckedFile& file, std::ostream& out) {
     for (const double value : file.pair_singular_values) out << ' ' << value;
   }
   out << '\n';
+  const std::string note = rank_note(seen, model.sensors.size() < model.health.size());
+  if (!note.empty()) out << "    " << note << '\n';
+  print_blind(file.blind, out);
   print_detectability(model, file.slow_bias_detectability, out);
   out << "  hash           " << file.hash << '\n';
   print_assumed(file.assumed, out);

@@ -17,8 +17,9 @@ struct CheckedFile {
   std::string hash;    ///< SHA-256 of the content
   estimation::LinearModel model;
   std::vector<std::string> assumed;  ///< what the file does not state
+  std::vector<std::string> blind;    ///< sensors that see nothing of health
   Observability observability;
-  Eigen::VectorXd pair_singular_values;     ///< of (Axq, Cxq), noise-scaled; empty if health is not observable
+  Eigen::VectorXd pair_singular_values;     ///< of (Axq, Cxq), noise-scaled; empty if nothing of health is seen
   Eigen::VectorXd slow_bias_detectability;  ///< by sensor; empty for a model
 };
 
@@ -33,6 +34,7 @@ nlohmann::ordered_json check_as_json(const CheckedFile& file);
 
 /// A line each.
 void print_assumed(const std::vector<std::string>& assumed, std::ostream& out);
+void print_blind(const std::vector<std::string>& blind, std::ostream& out);
 
 void print_check(const CheckedFile& file, std::ostream& out);
 

@@ -8,9 +8,11 @@
 #include "monitor/design/certificate_json.h"
 #include "monitor/design/options_json.h"
 #include "tuner_design/certificate_report.h"
+#include "tuner_design/check_report.h"
 #include "tuner_design/design_tuner.h"
 #include "tuner_design/error_text.h"
 #include "tuner_design/search/row_space.h"
+#include "tuner_design/tuner_number.h"
 
 namespace ehm::bench {
 namespace {
@@ -116,7 +118,9 @@ void print_missing(const Design& design, std::ostream& out) {
 
 std::string reduction(const Design& design) {
   if (!reduces(design)) return "none, V = I: at least as many sensors as health parameters";
-  const std::string why = ": fewer sensors than health parameters";
+  const std::string why = design.model.sensors.size() < design.model.health.size()
+                              ? ": fewer sensors than health parameters"
+                              : ": the sensors see fewer combinations of health than there are parameters";
   switch (design.options.tuning) {
     case design::Tuning::closed_form:
       return "closed form, V = H Ph" + why;
@@ -138,6 +142,7 @@ Json design_as_json(const Design& design) {
   return {{"name", design.model.name},
           {"hash", design.hash},
           {"sensors", std::move(sensors)},
+          {"blind_sensors", blind_sensors(design.model, design.full.sensors)},
           {"tuners", design.full.V.rows()},
           {"reduction", reduction(design)},
           {"qh_percent2", design.options.qh_percent2},
@@ -165,8 +170,9 @@ void print_design(const Design& design, std::ostream& out) {
   out << "Design for " << design.model.name << ": " << design.model.states.size() << " states, "
       << design.model.sensors.size() << " sensors, " << design.model.health.size() << " health parameters, "
       << design.model.auxiliary.size() << " auxiliary outputs, " << design.full.V.rows() << " tuners\n"
-      << "Reduction: " << reduction(design) << '\n'
-      << "Scaling: states and sensors in percent of trim, health in percent, temperatures in K, margins in points,\n"
+      << "Reduction: " << reduction(design) << '\n';
+  print_blind(blind_sensors(design.model, design.full.sensors), out);
+  out << "Scaling: states and sensors in percent of trim, health in percent, temperatures in K, margins in points,\n"
       << "         other auxiliary outputs in percent of trim; SSEE is squared error over the fleet in these units\n"
       << "Qh " << design.options.qh_percent2 << " percent^2 per sample of " << design.model.sample_time_s
       << " s; slowest time constant " << figure(design.full.slowest_time_constant_s, 0) << " s\n";

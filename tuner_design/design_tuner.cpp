@@ -14,6 +14,8 @@
 #include "tuner_design/map_estimator.h"
 #include "tuner_design/observability.h"
 #include "tuner_design/search/row_space.h"
+#include "tuner_design/solver_error.h"
+#include "tuner_design/tuner_number.h"
 
 namespace ehm::bench {
 namespace {
@@ -73,15 +75,20 @@ Candidate candidate_with(
   return candidate;
 }
 
+/// For a point of an envelope that sees least.
+Eigen::Index most_tuners_of(const Envelope& envelope, const std::vector<int>& sensors, double qh_percent2) {
+  Eigen::Index most = envelope.points.front().model.L.cols();
+  for (const PreparedPoint& point : envelope.points) most = std::min(most, most_tuners(point, sensors, qh_percent2));
+  return most;
+}
+
 /// Least objective of all numbers of tuners, of those within the prior if there are any. A model that knows its
 /// linearisation error may leave no sensible choice within the prior: one that costs more than a quarter of the
 /// objective is not taken. none: no number of tuners has a filter.
 std::optional<Candidate> best_number_of_tuners(const Envelope& envelope, const std::vector<int>& sensors,
                                                const DesignOptions& options) {
   constexpr double too_dear = 1.25;
-  Eigen::Index most = envelope.points.front().model.L.cols();
-  for (const PreparedPoint& point : envelope.points)
-    most = std::min<Eigen::Index>(most, observability_of(point, sensors).rank);
+  const Eigen::Index most = most_tuners_of(envelope, sensors, options.qh_percent2);
   std::optional<Candidate> best, best_within;
   for (Eigen::Index t = most; t >= 1; --t) {
     try {
@@ -89,7 +96,7 @@ std::optional<Candidate> best_number_of_tuners(const Envelope& envelope, const s
       if (!best || candidate.objective < best->objective) best = candidate;
       if (candidate.within_prior && (!best_within || candidate.objective < best_within->objective))
         best_within = candidate;
-    } catch (const std::runtime_error&) {
+    } catch (const SolverError&) {
       // no filter on so many tuners: fewer may have one
     }
   }
@@ -99,10 +106,9 @@ std::optional<Candidate> best_number_of_tuners(const Envelope& envelope, const s
 }
 
 std::optional<SubsetDesign> design_without(int absent, const PreparedPoint& point, const DesignOptions& options) {
-  std::vector<int> present;
-  for (int i = 0; i < static_cast<int>(point.model.sensors.size()); ++i) {
-    if (i != absent) present.push_back(i);
-  }
+  std::vector<int> present = all_sensors(point.model);
+  std::erase(present, absent);
+  present = seeing_sensors({point}, present);
   if (present.empty()) return std::nullopt;
   std::optional<Candidate> best = best_number_of_tuners({{point}, {1.0}}, present, options);
   // A model that misses so much of its engine may have none within the prior; the least bad one still tells its sigma.
@@ -110,16 +116,24 @@ std::optional<SubsetDesign> design_without(int absent, const PreparedPoint& poin
   return std::move(best->filters.front());
 }
 
-/// All sensors, on as many tuners as sensors; fewer where a model's linearisation error asks for it.
+/// Sensors that see something, on as many tuners as they can teach; fewer where sigma would exceed the fleet's own, or
+/// where a model's linearisation error asks for it.
 Candidate design_full(
-    const Envelope& envelope, const std::vector<int>& all, const DesignOptions& options, int random_starts,
+    const Envelope& envelope, const std::vector<int>& sensors, const DesignOptions& options, int random_starts,
     unsigned threads, const DesignProgress& progress = [](double) {}) {
-  auto tuners = std::min<Eigen::Index>(static_cast<Eigen::Index>(all.size()), envelope.points.front().model.L.cols());
+  const Eigen::Index most = most_tuners_of(envelope, sensors, options.qh_percent2);
   if (knows_its_error(envelope)) {
-    if (const std::optional<Candidate> best = best_number_of_tuners(envelope, all, options))
-      tuners = best->tuners.search.V.rows();
+    const std::optional<Candidate> best = best_number_of_tuners(envelope, sensors, options);
+    const Eigen::Index tuners = best ? best->tuners.search.V.rows() : most;
+    return candidate_with(envelope, sensors, tuners, options, random_starts, threads, progress);
   }
-  return candidate_with(envelope, all, tuners, options, random_starts, threads, progress);
+  Candidate first = candidate_with(envelope, sensors, most, options, random_starts, threads, progress);
+  if (first.within_prior || envelope.points.size() > 1) return first;
+  for (Eigen::Index t = most - 1; t >= 1; --t) {
+    Candidate fewer = candidate_with(envelope, sensors, t, options, random_starts, threads);
+    if (fewer.within_prior) return fewer;
+  }
+  return first;
 }
 
 /// Variances of health and of the auxiliary outputs for an error covariance of health.
@@ -203,7 +217,27 @@ std::vector<std::string> worse_than_prior(const SubsetDesign& design, const Line
 }
 
 Eigen::MatrixXd full_set_tuners(const Envelope& envelope, const DesignOptions& options) {
-  return design_full(envelope, all_sensors(envelope.points.front().model), options, 0, 1).tuners.search.V;
+  const std::vector<int> all = all_sensors(envelope.points.front().model);
+  require_observable(observability_of(envelope.points.front(), all));
+  const std::vector<int> seeing = seeing_sensors(envelope.points, all);
+  return design_full(envelope, seeing, options, 0, 1).tuners.search.V;
+}
+
+std::optional<SubsetDesign> closed_form_filter(const PreparedPoint& point, const std::vector<int>& sensors,
+                                               double qh_percent2, const design::ErrorWeights& weights) {
+  const std::vector<int> seeing = seeing_sensors({point}, sensors);
+  if (seeing.empty()) return std::nullopt;
+  DesignOptions options;
+  options.qh_percent2 = qh_percent2;
+  options.weights = weights;
+  options.tuning = design::Tuning::closed_form;
+  try {
+    Candidate full = design_full({{point}, {1.0}}, seeing, options, 0, 1);
+    if (!full.within_prior) return std::nullopt;
+    return std::move(full.filters.front());
+  } catch (const SolverError&) {  // the sensors tell so many tuners apart too badly
+    return std::nullopt;
+  }
 }
 
 Design design_on_tuners(const LinearModel& model, const Eigen::MatrixXd& V, double qh_percent2) {
@@ -232,10 +266,11 @@ std::vector<Design> design_envelope(const std::vector<LinearModel>& models, cons
   const std::vector<int> all = all_sensors(models.front());
   for (const LinearModel& model : models) {
     envelope.points.push_back(prepare(model));
-    require_observable(observability_of(envelope.points.back(), all), all.size() < model.health.size());
+    require_observable(observability_of(envelope.points.back(), all));
   }
 
-  const Candidate full = design_full(envelope, all, options, options.random_starts, threads,
+  const std::vector<int> seeing = seeing_sensors(envelope.points, all);
+  const Candidate full = design_full(envelope, seeing, options, options.random_starts, threads,
                                      [&](double share) { progress(search_share * share); });
   const double tasks = static_cast<double>(models.size() * all.size());
   std::vector<Design> designs;
@@ -245,7 +280,11 @@ std::vector<Design> design_envelope(const std::vector<LinearModel>& models, cons
     design.missing.resize(all.size());
     work::parallel_for(
         all.size(), threads,
-        [&](std::size_t absent) { design.missing[absent] = design_without(all[absent], point, options); },
+        [&](std::size_t absent) {
+          // Without a sensor that no design uses nothing is missing.
+          const bool blind = !std::binary_search(seeing.begin(), seeing.end(), all[absent]);
+          design.missing[absent] = blind ? design.full : design_without(all[absent], point, options);
+        },
         [&](std::size_t done) {
           const double share = static_cast<double>(i * all.size() + done) / tasks;
           progress(search_share + (1.0 - search_share) * share);

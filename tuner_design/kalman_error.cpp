@@ -2,9 +2,9 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <stdexcept>
 
 #include "tuner_design/lyapunov.h"
+#include "tuner_design/solver_error.h"
 
 namespace ehm::bench {
 namespace {
@@ -38,7 +38,7 @@ ClosedLoop closed_loop(const design::SubsetDesign& design, const LinearModel& mo
   loop.mean = (identity - Acl).partialPivLu().solve(KH);
   const double residual = ((identity - Acl) * loop.mean - KH).norm();
   if (!(residual <= 1e-9 * (loop.mean.norm() + KH.norm()))) {
-    throw std::runtime_error("mean of the filter, (I - Acl) X = Kinf H: residual " + std::to_string(residual));
+    throw SolverError("mean of the filter, (I - Acl) X = Kinf H: residual " + std::to_string(residual));
   }
   loop.offset = (identity - Acl).partialPivLu().solve(design.K);
   loop.noise = solve_discrete_lyapunov(Acl, KRK + process_noise_of(I_KC, model.process_noise));
@@ -72,7 +72,7 @@ Eigen::MatrixXd linearisation_covariance(const Eigen::MatrixXd& T, const ClosedL
 
 void require_variances(const Eigen::MatrixXd& covariance, const char* name) {
   if (covariance.size() == 0 || covariance.diagonal().minCoeff() >= 0.0) return;
-  throw std::runtime_error(std::string(name) + " has the negative variance " +
+  throw SolverError(std::string(name) + " has the negative variance " +
                            std::to_string(covariance.diagonal().minCoeff()));
 }
 

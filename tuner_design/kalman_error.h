@@ -20,7 +20,7 @@ namespace ehm::bench {
 
 /// Fills the covariances, innovation_variance and slowest_time_constant_s of a design made by kalman_gain.
 /// `model` is discrete and scaled, `steady` its steady gain.
-/// @throws std::runtime_error if the closed loop is not stable or a variance comes out negative.
+/// @throws SolverError if the closed loop is not stable or a variance comes out negative.
 void add_error_theory(design::SubsetDesign& design, const estimation::LinearModel& model,
                       const estimation::SteadyGain& steady);
 

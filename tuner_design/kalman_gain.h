@@ -13,7 +13,7 @@ namespace ehm::bench {
 
 /// The filter of `sensors` on the tuners V: fills sensors, V, W, A, B, C, K and P of the result, nothing else.
 /// `model` is discrete and scaled; qh_percent2 > 0.
-/// @throws std::invalid_argument if V is rank deficient; std::runtime_error if the Riccati equation has no solution.
+/// @throws std::invalid_argument if V is rank deficient; SolverError if the Riccati equation has no solution.
 design::SubsetDesign kalman_gain(const estimation::LinearModel& model, const std::vector<int>& sensors,
                                  const Eigen::MatrixXd& V, double qh_percent2);
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tuner_design/doubling.h"
+#include "tuner_design/solver_error.h"
 
 namespace ehm::bench {
 namespace {
@@ -25,7 +26,7 @@ Eigen::MatrixXd solve_discrete_lyapunov(const Eigen::MatrixXd& A, const Eigen::M
   if (!(radius < 1.0)) {
     std::ostringstream message;
     message << "Lyapunov equation: A has the spectral radius " << radius << ", allowed below 1";
-    throw std::runtime_error(message.str());
+    throw SolverError(message.str());
   }
   const doubling::Powers<Eigen::MatrixXd> powers(A);
   Eigen::MatrixXd X = 0.5 * (Q + Q.transpose());
@@ -36,7 +37,7 @@ Eigen::MatrixXd solve_discrete_lyapunov(const Eigen::MatrixXd& A, const Eigen::M
     std::ostringstream message;
     message << "Lyapunov equation: residual " << residual << " of " << size << ", allowed " << allowed_residual
             << " relative; spectral radius " << radius;
-    throw std::runtime_error(message.str());
+    throw SolverError(message.str());
   }
   return X;
 }

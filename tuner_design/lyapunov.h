@@ -8,7 +8,7 @@
 namespace ehm::bench {
 
 /// @throws std::invalid_argument if the shapes do not fit.
-/// @throws std::runtime_error if A is not stable, or if the relative residual exceeds 1e-9 (it is in the message).
+/// @throws SolverError if A is not stable, or if the relative residual exceeds 1e-9 (it is in the message).
 Eigen::MatrixXd solve_discrete_lyapunov(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q);
 
 /// Largest magnitude of an eigenvalue.

@@ -34,10 +34,9 @@ Observability steady_observability(const estimation::LinearModel& model, const E
   result.singular_values = svd.singularValues();
   result.needed_rank = static_cast<int>(std::min(H.rows(), H.cols()));
   const double largest = result.singular_values(0);
-  const double least = result.singular_values(result.needed_rank - 1);
   result.rank = seen_rank(result.singular_values);
-  result.condition = least > 0.0 ? largest / least : std::numeric_limits<double>::infinity();
-  if (!result.sufficient()) {
+  result.condition = result.rank > 0 ? largest / result.singular_values(result.rank - 1) : 0.0;
+  if (!result.full_rank()) {
     const bool few_sensors = H.rows() < H.cols();
     result.culprits = few_sensors ? named(svd.matrixU().col(result.needed_rank - 1), model.sensors)
                                   : named(svd.matrixV().col(result.needed_rank - 1), model.health);
@@ -57,22 +56,24 @@ Eigen::VectorXd pair_singular_values(const Eigen::MatrixXd& A, const Eigen::Matr
   return Eigen::JacobiSVD<Eigen::MatrixXd>(stacked).singularValues();
 }
 
-void require_observable(const Observability& observability, bool fewer_sensors_than_health) {
-  if (observability.sufficient()) return;
+std::string rank_note(const Observability& observability, bool fewer_sensors_than_health) {
+  if (observability.full_rank() || observability.rank == 0) return "";
   std::string names;
   for (const std::string& name : observability.culprits) names += (names.empty() ? "" : ", ") + name;
-  std::ostringstream message;
+  std::ostringstream note;
   if (fewer_sensors_than_health) {
-    message << "H Ph H^T is singular: sensors {" << names << "} repeat each other in the steady state";
+    note << "sensors {" << names << "} repeat each other in the steady state";
   } else {
-    message << "the pair is not observable: the sensors cannot tell health parameters {" << names << "} apart";
+    note << "the sensors cannot tell health parameters {" << names << "} apart";
   }
-  message << "; rank " << observability.rank << " of " << observability.needed_rank
-          << " (singular values of R^-1/2 H Ph^1/2 from " << observability.singular_values(0) << " to "
-          << observability.singular_values(observability.needed_rank - 1) << "). "
-          << (fewer_sensors_than_health ? "Remove one of these sensors from the model."
-                                        : "Remove or join one of these health parameters.");
-  throw std::runtime_error(message.str());
+  note << ": " << observability.rank << " combinations of health are seen, of " << observability.needed_rank;
+  return note.str();
+}
+
+void require_observable(const Observability& observability) {
+  if (observability.rank > 0) return;
+  throw std::runtime_error(
+      "no sensor sees anything of health in the steady state: H = C (I-A)^-1 L + M is zero. Check L, C and M");
 }
 
 }  // namespace ehm::bench

@@ -3,7 +3,8 @@
 //   Hs = R^-1/2 H Ph^1/2     m x p,
 // a singular value s is the signal-to-noise ratio of one sample for one combination of health parameters. The augmented
 // pair (Axq, Cxq) is detectable if and only if H W has full column rank, since A is stable and the tuners are
-// integrators (Popov-Belevitch-Hautus test at eigenvalue 1); so rank min(m, p) of Hs is what a design needs.
+// integrators (Popov-Belevitch-Hautus test at eigenvalue 1); so a design has at most rank Hs tuners (tuner_number.h).
+// Less than min(m, p) is no fault: probes of one quantity repeat each other, or health parameters look alike.
 
 #include <Eigen/Core>
 #include <string>
@@ -17,11 +18,11 @@ struct Observability {
   Eigen::VectorXd singular_values;    ///< min(m, p) values of Hs, descending
   int needed_rank = 0;                ///< min(m, p)
   int rank = 0;                       ///< singular values above `relative_tolerance` of the largest
-  double condition = 0.0;             ///< of Hs; that of H Ph H^T (in noise units) is its square
+  double condition = 0.0;             ///< largest over the least singular value that counts
   std::vector<std::string> culprits;  ///< sensors (m < p) or health parameters that cannot be told apart, if deficient
 
   static constexpr double relative_tolerance = 1e-6;
-  [[nodiscard]] bool sufficient() const noexcept { return rank == needed_rank; }
+  [[nodiscard]] bool full_rank() const noexcept { return rank == needed_rank; }
 };
 
 /// Number of singular values that count: above zero and `relative_tolerance` of the largest.
@@ -34,7 +35,10 @@ Observability steady_observability(const estimation::LinearModel& model, const E
 Eigen::VectorXd pair_singular_values(const Eigen::MatrixXd& A, const Eigen::MatrixXd& C,
                                      const Eigen::VectorXd& noise_sigma);
 
-/// @throws std::runtime_error if the rank does not suffice: says which channels, the singular values, what to do.
-void require_observable(const Observability& observability, bool fewer_sensors_than_health);
+/// Which channels repeat each other and how many combinations of health are seen; empty at full rank.
+std::string rank_note(const Observability& observability, bool fewer_sensors_than_health);
+
+/// @throws std::runtime_error if no sensor sees anything of health in the steady state.
+void require_observable(const Observability& observability);
 
 }  // namespace ehm::bench

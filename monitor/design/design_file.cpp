@@ -102,7 +102,7 @@ void read_designs(JsonObject& root, Design& design) {
   design.full = subset_from_json(object.at("full"), design.model, root.file(), "designs.full");
   const Json& missing = object.array("missing");
   object.refuse_unknown();
-  if (missing.size() != design.model.sensors.size() || design.full.sensors.size() != missing.size()) {
+  if (missing.size() != design.model.sensors.size()) {
     throw_defect(root.file(), "designs.missing", std::to_string(missing.size()) + " entries long",
                  "one entry for each of the " + std::to_string(design.model.sensors.size()) + " sensors", make_again);
   }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double horizon_s = 3.0;
 constexpr int most_ages = 512;
-constexpr double no_residual = 1e-6;  // of a constant sensor value: the filter follows it
+constexpr double no_mean = 0.05;  // noise sigmas: over three seconds it stays below what is noticed
 // A component that breaks may lose more than wear takes in a life, but hardly 15 %: steps of health are expected
 // within so many standard deviations of the fleet. It decides between a sensor and an absurdly large component step.
 constexpr double step_sigmas = 2.0;
@@ -24,6 +24,7 @@ struct Plant {
   Eigen::MatrixXd A, L, C, M;
   Eigen::VectorXd noise_sigma, health_sigma;
   Eigen::MatrixXd process_noise;
+  Eigen::MatrixXd fleet;  ///< [H Ph^1/2, root of Lambda_yy]: steady sensors per unknown of the fleet
 };
 
 Plant plant_of(const design::Design& design) {
@@ -35,17 +36,26 @@ Plant plant_of(const design::Design& design) {
               model.M,
               model.sensor_noise_sigma,
               model.health_sigma,
-              model.process_noise};
+              model.process_noise,
+              {}};
   // The steady state is the same in either time form: L = (I - A) X.
-  plant.L = (Eigen::MatrixXd::Identity(n, n) - plant.A) * estimation::steady_gain(model).X;
+  const estimation::SteadyGain steady = estimation::steady_gain(model);
+  plant.L = (Eigen::MatrixXd::Identity(n, n) - plant.A) * steady.X;
+  plant.fleet = steady.H * model.health_sigma.asDiagonal();
+  if (model.linearisation_error.rows() > 0) {
+    const Eigen::Index m = model.C.rows(), p = plant.fleet.cols();
+    plant.fleet.conservativeResize(m, p + m);
+    plant.fleet.rightCols(m) = estimation::covariance_root(model.linearisation_error.topLeftCorner(m, m));
+  }
   return plant;
 }
 
-/// Inverse of S without the directions B of a constant mean: S^-1 - S^-1 B (B^T S^-1 B)^-1 B^T S^-1.
-Eigen::MatrixXd blind_inverse(const Eigen::MatrixXd& S, const Eigen::MatrixXd& steady_residual) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(steady_residual, Eigen::ComputeThinU);
-  const Eigen::Index blind = (svd.singularValues().array() > no_residual).count();
-  const Eigen::MatrixXd B = svd.matrixU().leftCols(blind), inverse = S.inverse();
+/// Inverse of S without the directions B of a constant mean: S^-1 - S^-1 B (B^T S^-1 B)^-1 B^T S^-1. `mean`: of the
+/// innovations per unknown of the fleet.
+Eigen::MatrixXd blind_inverse(const Eigen::MatrixXd& S, const Eigen::MatrixXd& mean, const Eigen::VectorXd& sigma) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(sigma.cwiseInverse().asDiagonal() * mean, Eigen::ComputeThinU);
+  const Eigen::Index blind = (svd.singularValues().array() > no_mean).count();
+  const Eigen::MatrixXd B = sigma.asDiagonal() * svd.matrixU().leftCols(blind), inverse = S.inverse();
   if (blind == 0) return inverse;
   const Eigen::MatrixXd of_mean = B.transpose() * inverse * B;
   return inverse - inverse * B * of_mean.inverse() * B.transpose() * inverse;
@@ -66,8 +76,8 @@ void add_noise(FaultSignatures& s, const design::SubsetDesign& set, const Plant&
   s.inverse_S.setZero(s.sensors, s.sensors);
   const Eigen::MatrixXd settled = (Eigen::MatrixXd::Identity(size, size) - closed_loop).partialPivLu().solve(set.K);
   const Eigen::MatrixXd residual = Eigen::MatrixXd::Identity(s.sensors, s.sensors) - prediction * settled;
-  s.inverse_S(set.sensors, set.sensors) =
-      blind_inverse(S(set.sensors, set.sensors), residual(set.sensors, set.sensors));
+  s.inverse_S(set.sensors, set.sensors) = blind_inverse(
+      S(set.sensors, set.sensors), residual(set.sensors, Eigen::all) * plant.fleet, plant.noise_sigma(set.sensors));
   s.innovation_sigma.setOnes(s.sensors);
   for (const int i : set.sensors) s.innovation_sigma(i) = std::sqrt(S(i, i));
 }

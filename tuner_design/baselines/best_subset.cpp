@@ -14,6 +14,7 @@
 #include "tuner_design/map_estimator.h"
 #include "tuner_design/observability.h"
 #include "tuner_design/prepared_point.h"
+#include "tuner_design/solver_error.h"
 
 namespace ehm::bench {
 namespace {
@@ -36,7 +37,7 @@ std::optional<design::SubsetDesign> filter_on_tuners(const estimation::LinearMod
     design::SubsetDesign filter = kalman_gain(model, all_sensors(model), V, qh_percent2);
     add_error_theory(filter, model, steady);
     return filter;
-  } catch (const std::runtime_error&) {  // told apart so badly that the solvers lose their digits
+  } catch (const SolverError&) {  // told apart so badly that the solvers lose their digits
     return std::nullopt;
   }
 }

@@ -66,7 +66,7 @@ void assemble_operating_point(const Variables& given, ImportedModel& result) {
 
 }  // namespace
 
-ImportedModel assemble_model(const Variables& given, const ImportOptions& options) {
+ImportedModel assemble_model(const Variables& given, const ImportOptions& options, int sensor_capacity) {
   ImportedModel result;
   result.format = given.format;
   LinearModel& model = result.model;
@@ -84,7 +84,7 @@ ImportedModel assemble_model(const Variables& given, const ImportOptions& option
     for (const std::string& name : given.ignored) names += (names.empty() ? "" : ", ") + name;
     result.assumed.push_back("not part of a model, ignored: " + names);
   }
-  design::check_model(model, given.source);
+  design::check_model(model, given.source, sensor_capacity);
   return result;
 }
 

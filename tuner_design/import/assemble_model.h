@@ -14,6 +14,6 @@ namespace ehm::bench {
 /// @throws design::FileError if something necessary is missing, has the wrong shape, an entry that makes no sense, or
 /// an
 ///         option contradicts what is stated; and as design::check_model does.
-ImportedModel assemble_model(const Variables& given, const ImportOptions& options);
+ImportedModel assemble_model(const Variables& given, const ImportOptions& options, int sensor_capacity);
 
 }  // namespace ehm::bench

@@ -21,9 +21,9 @@ bool is_csv_file(const std::string& path) {
 }
 
 /// Our own file states everything.
-ImportedModel import_json(const std::string& path, const ImportOptions& options) {
+ImportedModel import_json(const std::string& path, const ImportOptions& options, int sensor_capacity) {
   refuse_import_options(path, options);
-  return {design::read_model(path), design::model_schema, {}};
+  return {design::read_model(path, sensor_capacity), design::model_schema, {}};
 }
 
 }  // namespace
@@ -41,14 +41,14 @@ void refuse_import_options(const std::string& path, const ImportOptions& options
   }
 }
 
-ImportedModel import_model(const std::string& path, const ImportOptions& options) {
-  if (is_folder(path)) return assemble_model(read_csv_folder(path), options);
-  if (is_mat_file(path)) return assemble_model(read_mat_file(path), options);
+ImportedModel import_model(const std::string& path, const ImportOptions& options, int sensor_capacity) {
+  if (is_folder(path)) return assemble_model(read_csv_folder(path), options, sensor_capacity);
+  if (is_mat_file(path)) return assemble_model(read_mat_file(path), options, sensor_capacity);
   if (is_csv_file(path)) {
     throw design::FileError(path +
                             ": is one matrix; allowed: a folder of them. Name the folder with A.csv, L.csv, ...");
   }
-  return import_json(path, options);
+  return import_json(path, options, sensor_capacity);
 }
 
 }  // namespace ehm::bench

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "monitor/estimation/capacity.h"
 #include "monitor/estimation/linear_model.h"
 
 namespace ehm::bench {
@@ -37,6 +38,8 @@ bool is_foreign_model(const std::string& path);
 void refuse_import_options(const std::string& path, const ImportOptions& options);
 
 /// @throws design::FileError (one message: file, what and where, allowed, what to do) for every defect.
-ImportedModel import_model(const std::string& path, const ImportOptions& options);
+/// `sensor_capacity`: candidates for a selection may be more than what flies.
+ImportedModel import_model(const std::string& path, const ImportOptions& options,
+                           int sensor_capacity = estimation::max_sensors);
 
 }  // namespace ehm::bench

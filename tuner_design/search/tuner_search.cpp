@@ -1,6 +1,7 @@
 #include "tuner_design/search/tuner_search.h"
 
 #include <algorithm>
+#include <exception>
 #include <nlopt.hpp>
 #include <random>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "tuner_design/search/kalman_objective.h"
 #include "tuner_design/search/map_objective.h"
 #include "tuner_design/search/row_space.h"
+#include "tuner_design/solver_error.h"
 
 namespace ehm::bench {
 namespace {
@@ -30,10 +32,10 @@ struct Run {
   double best;
   Eigen::VectorXd best_at;
   double gradient_norm;
+  std::exception_ptr failure{};  ///< of the objective: NLopt would lose its type
 };
 
-double evaluate(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
-  Run& run = *static_cast<Run*>(data);
+double evaluate_at(const std::vector<double>& x, std::vector<double>& gradient, Run& run) {
   const Eigen::Map<const Eigen::VectorXd> at(x.data(), static_cast<Eigen::Index>(x.size()));
   Eigen::MatrixXd T, V_gradient;
   const Eigen::MatrixXd V = run.chart.at(at, &T);
@@ -50,6 +52,16 @@ double evaluate(const std::vector<double>& x, std::vector<double>& gradient, voi
   return value;
 }
 
+double evaluate(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
+  Run& run = *static_cast<Run*>(data);
+  try {
+    return evaluate_at(x, gradient, run);
+  } catch (...) {
+    run.failure = std::current_exception();
+    throw nlopt::forced_stop();
+  }
+}
+
 /// LBFGS in one chart, from its centre.
 void minimise(Run& run) {
   constexpr double safety_s = 60.0;  // never reached; NLopt must not hang
@@ -62,9 +74,15 @@ void minimise(Run& run) {
   double value = 0.0;
   try {
     optimiser.optimize(x, value);
+  } catch (const nlopt::forced_stop&) {
+    // the objective's own failure, below
+  } catch (const nlopt::roundoff_limited&) {
+    // at an optimum: the best point counts
   } catch (const std::runtime_error&) {
-    // "nlopt failure" and round-off at an optimum: the best point counts
+    // "nlopt failure", which LBFGS also says at an optimum
+    if (optimiser.last_optimize_result() != nlopt::FAILURE) throw;
   }
+  if (run.failure) std::rethrow_exception(run.failure);
 }
 
 struct Ended {
@@ -77,7 +95,7 @@ struct Ended {
 void descend(const SearchProblem& problem, Ended& end) {
   for (int i = 0; i < max_charts && end.start.gradient_norm > gradient_vanishes * end.start.last; ++i) {
     const RowSpaceChart chart(end.V);
-    Run run{problem, chart, end.history, end.start.last, Eigen::VectorXd(), end.start.gradient_norm};
+    Run run{problem, chart, end.history, end.start.last, Eigen::VectorXd(), end.start.gradient_norm, {}};
     minimise(run);
     if (run.best_at.size() == 0) break;
     const double before = end.start.last;
@@ -188,7 +206,7 @@ SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& op
 
   double least = no_filter;
   for (const Ended& end : ends) least = std::min(least, end.start.last);
-  if (!(least < no_filter)) throw std::runtime_error("search: no start has a stable filter");
+  if (!(least < no_filter)) throw SolverError("search: no start has a stable filter");
   // Of ends that differ by rounding only the first start's counts.
   const auto best = std::find_if(ends.begin(), ends.end(),
                                  [&](const Ended& end) { return end.start.last <= least * (1.0 + same_end); });

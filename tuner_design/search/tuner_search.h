@@ -57,7 +57,7 @@ struct SearchResult {
 };
 
 /// @throws std::invalid_argument if there is no point, no start, or shapes do not fit.
-/// @throws std::runtime_error if no start has a filter.
+/// @throws SolverError if no start has a filter.
 SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& options);
 
 /// Fills what a certificate says about J at V: objective, lower bound, gradient, curvature, possible gain, verdict,

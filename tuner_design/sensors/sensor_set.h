@@ -1,8 +1,8 @@
 #pragma once
 // What a set of sensors is worth: the published error of the filter that would fly with it.
 //
-// The Kalman filter at a given Qh on the closed form V_S = H_S Ph, on as many tuners as leave every sigma of health
-// within the fleet's own, the weakest dropped first (design_tuner.h does the same for a missing sensor). Error: the
+// The Kalman filter that `design` makes of these sensors alone at the given Qh with the closed form V_S = H_S Ph
+// (closed_form_filter): the same number of tuners, the same error. Error: the
 // totals of kalman_error.h, the linearisation error included where the model knows it. Figure of merit: J of
 // relative_error.h with the limits of ALL candidates, so that every set is measured with the same yardstick.
 // Candidates may be more than a design can hold: 20. A set is a bit mask, bit i for sensor i of the model.
@@ -21,6 +21,7 @@ struct SensorProblem {
   estimation::LinearModel model;  ///< discrete, scaled, with every candidate
   estimation::SteadyGain steady;
   RelativeError merit;
+  design::ErrorWeights weights;
   double qh_percent2 = 0.0;
 
   [[nodiscard]] CandidateSet every() const { return (CandidateSet{1} << model.sensors.size()) - 1; }

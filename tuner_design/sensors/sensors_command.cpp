@@ -7,7 +7,6 @@
 #include "deploy/files/csv_table.h"
 #include "deploy/long_work/parallel_for.h"
 #include "monitor/design/file_error.h"
-#include "monitor/design/model_file.h"
 #include "tuner_design/design_command.h"
 #include "tuner_design/import_options.h"
 #include "tuner_design/sensors/sensor_costs.h"
@@ -42,11 +41,9 @@ SensorProblem problem_of(const Arguments& arguments, const estimation::LinearMod
   }
 }
 
-/// A JSON model may have more sensors here than a design may.
+/// A model may have more sensors here than a design may.
 estimation::LinearModel candidates_of(const Arguments& arguments) {
-  if (is_foreign_model(arguments.model)) return import_model(arguments.model, arguments.import).model;
-  refuse_import_options(arguments.model, arguments.import);
-  return design::read_model(arguments.model, max_candidates);
+  return import_model(arguments.model, arguments.import, max_candidates).model;
 }
 
 void select(const Arguments& arguments, const Console& console) {

@@ -129,13 +129,45 @@ TEST_F(ImportCommand, WhatNoDesignCanBeMadeOfIsRefusedAndNothingWritten) {
   EXPECT_EQ(unstable.code, 2);
   EXPECT_THAT(unstable.err, HasSubstr("bare.mat: A is unstable: its eigenvalue 0.5 does not decay"));
   LinearModel blind = test::made_up_model();
-  for (Eigen::MatrixXd* matrix : {&blind.C, &blind.M}) matrix->row(3) = matrix->row(2);
+  blind.C.setZero();
+  blind.M.setZero();
   for (const std::string& path : forms(blind)) {
     const Result result = run({"import", path, "--out", out});
     EXPECT_EQ(result.code, 2);
-    EXPECT_THAT(result.err, HasSubstr(path + ": H Ph H^T is singular: sensors {y2, y3}"));
+    EXPECT_THAT(result.err, HasSubstr(path + ": no sensor sees anything of health in the steady state"));
   }
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(ImportCommand, RepeatedAndBlindSensorsAreNamed) {
+  LinearModel model = test::made_up_model();
+  for (Eigen::MatrixXd* matrix : {&model.C, &model.M}) {
+    matrix->row(3) = matrix->row(2);
+    matrix->row(1).setZero();
+  }
+  for (const std::string& path : forms(model)) {
+    const Result check = run({"check", path});
+    EXPECT_EQ(check.code, 0) << check.err;
+    EXPECT_THAT(check.out, HasSubstr("2 combinations of health are seen, of 4"));
+    EXPECT_THAT(check.out, HasSubstr("N2 sees nothing of health in the steady state; no design uses it"));
+    const Result design = run({"design", "--model", path, "--out", folder_.path("d.json")});
+    EXPECT_EQ(design.code, 0) << design.err;
+    EXPECT_THAT(design.out, HasSubstr("2 tuners"));
+    EXPECT_THAT(design.out, HasSubstr("N2 sees nothing of health"));
+  }
+}
+
+TEST_F(ImportCommand, SensorsTakesTwentyCandidatesInEveryForm) {
+  for (const std::string& path : forms(test::made_up_model(20, 6))) {
+    const Result result = run({"sensors", path, "--max-sensors", "1", "--json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.json().at("sets"), 20);
+  }
+  for (const std::string& path : forms(test::made_up_model(21, 6))) {
+    const Result result = run({"sensors", path, "--max-sensors", "1"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_THAT(result.err, HasSubstr("1 to 20 channels"));
+  }
 }
 
 TEST_F(ImportCommand, OptionsForWhatTheFileStatesAreRefused) {

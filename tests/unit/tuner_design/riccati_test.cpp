@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -72,6 +74,29 @@ TEST(Riccati, RandomProblemsSolveTheEquationAndStabilise) {
     EXPECT_GT(least_eigenvalue(P), 0.0);
     const Eigen::MatrixXd K = (C * P * C.transpose() + R).llt().solve(C * P).transpose();
     EXPECT_LT(spectral_radius(A - A * K * C), 1.0);
+  }
+}
+
+TEST(Riccati, SolvesWhatNoiseOfAnySizeLeaves) {
+  // p = a^2 p r / (p + r) + q has the positive root of p^2 + (r - a^2 r - q) p - q r = 0; one such equation a state,
+  // mixed by an orthogonal T, which takes the sensors' noise through 14 decades.
+  Random random(3);
+  const Eigen::MatrixXd T = Eigen::HouseholderQR<Eigen::MatrixXd>(random.normal_matrix(6, 6)).householderQ();
+  const Eigen::VectorXd a = (Eigen::VectorXd(6) << 0.95, 0.9, 1.0, 1.0, 1.0, 1.0).finished();
+  const Eigen::VectorXd q = (Eigen::VectorXd(6) << 1e-4, 1e-4, 1e-3, 1e-3, 1e-3, 1e-3).finished();
+  for (const double scale : {1.0, 1e-4, 1e-8, 1e-10, 1e-12}) {
+    SCOPED_TRACE(scale);
+    Eigen::VectorXd r(6), p(6);
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      r(i) = scale * std::pow(10.0, -0.5 * static_cast<double>(i));
+      const double b = r(i) - a(i) * a(i) * r(i) - q(i);
+      p(i) = b > 0.0 ? 2.0 * q(i) * r(i) / (b + std::sqrt(b * b + 4.0 * q(i) * r(i)))
+                     : 0.5 * (-b + std::sqrt(b * b + 4.0 * q(i) * r(i)));
+    }
+    const Eigen::MatrixXd P = solve_filter_riccati(T * a.asDiagonal() * T.transpose(), T.transpose(),
+                                                   T * q.asDiagonal() * T.transpose(), r.asDiagonal());
+    const Eigen::MatrixXd expected = T * p.asDiagonal() * T.transpose();
+    EXPECT_LT((P - expected).norm() / expected.norm(), 1e-9);
   }
 }
 
