@@ -1,5 +1,6 @@
 #include "tuner_design/linearise.h"
 
+#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -60,12 +61,20 @@ void add_sensor_lags(LinearModel& model, const SensorLags& lags) {
   }
 }
 
-/// Where it runs: points of one envelope differ by it.
-std::string model_name(const engine::SteadyPoint& trim) {
+/// The engine's name in small letters, without blanks: "JT9D" is jt9d, "high-bypass turbofan" high-bypass-turbofan.
+std::string type_of(const engine::EngineData& engine) {
+  std::string type = engine.name;
+  for (char& c : type) c = c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return type;
+}
+
+/// Which engine, and where it runs: points of one envelope differ by it.
+std::string model_name(const engine::EngineData& engine, const engine::SteadyPoint& trim) {
   const engine::FlightCondition& flight = trim.operation.flight;
   std::ostringstream name;
-  name << "JT9D-class turbofan, " << flight.altitude_m << " m, Mach " << flight.mach << ", ISA " << std::showpos
-       << flight.delta_isa_k << std::noshowpos << " K, T40 " << std::round(trim.gas.s40.tt_k) << " K";
+  name << engine.name << (engine.name.ends_with("turbofan") ? ", " : "-class turbofan, ") << flight.altitude_m
+       << " m, Mach " << flight.mach << ", ISA " << std::showpos << flight.delta_isa_k << std::noshowpos << " K, T40 "
+       << std::round(trim.gas.s40.tt_k) << " K";
   return name.str();
 }
 
@@ -75,8 +84,8 @@ Linearisation linearise(const engine::Turbofan& turbofan, const LineariseOptions
   const engine::SteadyPoint trim = engine::solve_steady(turbofan, options.flight, options.health, options.demand);
   Linearisation result;
   LinearModel& model = result.model;
-  model.name = model_name(trim);
-  model.engine_type = "jt9d";
+  model.name = model_name(turbofan.data(), trim);
+  model.engine_type = type_of(turbofan.data());
   model.discrete = false;
   model.sample_time_s = options.sample_time_s;
   model.operating_point = {options.flight.altitude_m, options.flight.mach, options.flight.delta_isa_k};

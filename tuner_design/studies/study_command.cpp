@@ -12,6 +12,7 @@
 #include "tuner_design/faults/fault_study_command.h"
 #include "tuner_design/import_options.h"
 #include "tuner_design/linearise.h"
+#include "tuner_design/studies/half_worn.h"
 #include "tuner_design/studies/simon_garg_table.h"
 
 namespace ehm::bench {
@@ -20,20 +21,25 @@ namespace {
 constexpr std::size_t progress_steps = 1000;
 
 struct Arguments {
-  std::string study, model, csv;
+  std::string study, model, csv, trim = "new";
   ImportOptions import;
   SimonGargOptions options;
   FaultStudyArguments faults;
   OutputOptions output;
 };
 
-/// The paper's operating point on our engine: cruise, tangent at the new engine.
-estimation::LinearModel cruise() {
+/// The paper's operating point on our engine: cruise, tangent at the new engine, or as the paper has it at the average
+/// of a fleet that is half worn.
+estimation::LinearModel cruise(bool half_worn) {
   LineariseOptions options;
   options.flight = {10668.0, 0.8, 0.0};
   options.demand = {engine::DemandKind::t40_k, cruise_t40_k};
   options.fleet = 0;
-  return linearise(engine::Turbofan(engine::jt9d()), options).model;
+  if (half_worn) options.health = half_worn_health;
+  estimation::LinearModel model = linearise(engine::Turbofan(engine::jt9d()), options).model;
+  model.name += half_worn ? ", linearised at a half-worn engine (3000 cycles), as the paper's is"
+                          : ", linearised at the new engine (the paper's: half worn)";
+  return model;
 }
 
 void run_study(Arguments arguments, const Console& console) {
@@ -44,8 +50,8 @@ void run_study(Arguments arguments, const Console& console) {
   if (arguments.study == "false-alarms")
     return false_alarm_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
   arguments.options.table = arguments.study.back() - '0';
-  const ImportedModel imported =
-      arguments.model.empty() ? ImportedModel{cruise(), "", {}} : import_model(arguments.model, arguments.import);
+  const ImportedModel imported = arguments.model.empty() ? ImportedModel{cruise(arguments.trim == "half-worn"), "", {}}
+                                                         : import_model(arguments.model, arguments.import);
   SimonGargStudy study;
   try {
     work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
@@ -83,9 +89,17 @@ void add_study_command(CLI::App& app, Action& run) {
                                          "how well the monitor finds and names faults; or its false alarms");
   command->add_option("study", arguments->study, "Which table, faults, or false-alarms")
       ->required()
-      ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms"}));
-  command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
-      ->type_name("MODEL");
+      ->check(
+          CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms"}));
+  CLI::Option* model =
+      command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
+          ->type_name("MODEL");
+  command
+      ->add_option("--trim", arguments->trim,
+                   "simon-garg: where our engine is linearised, new, or half worn as in the paper; not with --model")
+      ->check(CLI::IsMember({"new", "half-worn"}))
+      ->capture_default_str()
+      ->excludes(model);
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))

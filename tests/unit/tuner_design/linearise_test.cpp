@@ -11,6 +11,7 @@
 #include "monitor/design/model_check.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/design_tuner.h"
+#include "tuner_design/studies/half_worn.h"
 
 namespace ehm::bench {
 namespace {
@@ -43,6 +44,29 @@ TEST_F(LineariseAtCruise, IsAValidStableModel) {
   // The speeds are states and sensors at once.
   EXPECT_TRUE(result.model.C.topRows(2).isIdentity(1e-9));
   EXPECT_LT(result.model.M.topRows(2).norm(), 1e-9);
+}
+
+TEST_F(LineariseAtCruise, NamesTheEngineThatItWasMadeFrom) {
+  EXPECT_EQ(result.model.engine_type, "jt9d");
+  EXPECT_EQ(result.model.name, "JT9D-class turbofan, 10668 m, Mach 0.8, ISA +0 K, T40 1309 K");
+  engine::EngineData other = engine::jt9d();
+  other.name = "Test bed turbofan";
+  LineariseOptions quick = options;
+  quick.fleet = 0;
+  const estimation::LinearModel model = linearise(engine::Turbofan(other), quick).model;
+  EXPECT_EQ(model.engine_type, "test-bed-turbofan");
+  EXPECT_EQ(model.name, "Test bed turbofan, 10668 m, Mach 0.8, ISA +0 K, T40 1309 K");
+}
+
+TEST_F(LineariseAtCruise, AHalfWornEngineHasATrimOfItsOwn) {
+  LineariseOptions worn = options;
+  worn.fleet = 0;
+  worn.health = half_worn_health;
+  const estimation::LinearModel model = linearise(turbofan, worn).model;
+  EXPECT_NO_THROW(design::check_model(model, "half worn"));
+  // At the same T40 a worn engine turns slower and gives less thrust.
+  EXPECT_LT(model.states[0].trim, result.model.states[0].trim);
+  EXPECT_LT(model.auxiliary[2].trim, result.model.auxiliary[2].trim);
 }
 
 TEST_F(LineariseAtCruise, SteadyGainPredictsASmallDeterioration) {
