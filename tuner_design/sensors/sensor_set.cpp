@@ -43,7 +43,9 @@ double fleet_merit(const SensorProblem& problem) {
 }
 
 std::optional<SensorSetValue> value_of(const SensorProblem& problem, CandidateSet set) {
-  const PreparedPoint point{problem.model, {}, problem.steady};
+  PreparedPoint point;
+  point.model = problem.model;
+  point.steady = problem.steady;
   const auto filter = closed_form_filter(point, indices(set), problem.qh_percent2, problem.weights);
   if (!filter) return std::nullopt;
   SensorSetValue value;
