@@ -1,13 +1,17 @@
 #include "monitor/listen/expectation.h"
 
+#include "monitor/estimation/scaling.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::monitor {
 
 Expectation expect_sensors(const estimation::LinearModel& model, const Eigen::VectorXd& actuators) {
   const auto m = static_cast<Eigen::Index>(model.sensors.size());
-  Eigen::VectorXd trim(m), du(actuators.size());
-  for (Eigen::Index i = 0; i < m; ++i) trim(i) = model.sensors[static_cast<std::size_t>(i)].trim;
+  Eigen::VectorXd trim(m), size(m), du(actuators.size());
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const estimation::Channel& sensor = model.sensors[static_cast<std::size_t>(i)];
+    trim(i) = sensor.trim, size(i) = estimation::size_of_trim(sensor);
+  }
   for (Eigen::Index i = 0; i < du.size(); ++i) du(i) = actuators(i) - model.controls[static_cast<std::size_t>(i)].trim;
 
   // The gain of the actuators is that of a model whose "health" they are.
@@ -19,7 +23,7 @@ Expectation expect_sensors(const estimation::LinearModel& model, const Eigen::Ve
   if (du.size() > 0) value += estimation::steady_gain(acted).H * du;
 
   Eigen::VectorXd variance = (H * model.health_sigma.asDiagonal()).rowwise().squaredNorm() +
-                             model.sensor_noise_sigma.cwiseAbs2() + (0.01 * trim).cwiseAbs2();
+                             model.sensor_noise_sigma.cwiseAbs2() + (0.01 * size).cwiseAbs2();
   if (model.linearisation_error.size() > 0) variance += model.linearisation_error.diagonal().head(m);
   return {value, variance.cwiseSqrt()};
 }

@@ -5,9 +5,11 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <functional>
 
 #include "idl/wire_values.h"
+#include "monitor/listen/expectation.h"
 
 namespace {
 
@@ -32,6 +34,22 @@ design::Design small_design() {
   m.M = Eigen::Vector3d(1000.0, 200.0, 100.0);  // per unit of health
   m.operating_point = estimation::OperatingPoint{10000.0, 0.8, 0.0};
   return design;
+}
+
+TEST(Expectation, IsTheSameWhereverTheZeroOfAScaleIs) {
+  const design::Design kelvin = small_design();
+  design::Design celsius = kelvin, fahrenheit = kelvin;
+  celsius.model.sensors[2] = {"T", "degC", 700.0 - 273.15};
+  fahrenheit.model.sensors[2] = {"T", "degF", 1.8 * 700.0 - 459.67};
+  fahrenheit.model.sensor_noise_sigma(2) *= 1.8;
+  fahrenheit.model.D.row(2) *= 1.8, fahrenheit.model.M.row(2) *= 1.8;
+  const Eigen::VectorXd actuators = Eigen::VectorXd::Constant(1, 1.1);
+  const Expectation k = expect_sensors(kelvin.model, actuators);
+  // by hand: h moves T by 2 K, noise 3 K, one percent of 700 K
+  EXPECT_NEAR(k.spread(2), std::sqrt(2.0 * 2.0 + 3.0 * 3.0 + 7.0 * 7.0), 1e-12);
+  EXPECT_NEAR(expect_sensors(celsius.model, actuators).spread(2), k.spread(2), 1e-12);
+  EXPECT_NEAR(expect_sensors(celsius.model, actuators).value(2), k.value(2) - 273.15, 1e-12);
+  EXPECT_NEAR(expect_sensors(fahrenheit.model, actuators).spread(2), 1.8 * k.spread(2), 1e-12);
 }
 
 /// A source that is wired right, until `change` spoils sample k.
@@ -143,7 +161,8 @@ INSTANTIATE_TEST_SUITE_P(
                 },
                 "error: sensor P: NaN or infinite"},
         Mistake{"nan_actuator", [](auto, auto& s) { s.actuator()[0] = std::nan(""); }, "error: actuator fuel: NaN"},
-        Mistake{"stuck", [](auto, auto& s) { s.sensor()[2] = 700.0; }, "warning: sensor T: 200 equal values in a row; coarse, slow or frozen?"},
+        Mistake{"stuck", [](auto, auto& s) { s.sensor()[2] = 700.0; },
+                "warning: sensor T: 200 equal values in a row; coarse, slow or frozen?"},
         Mistake{"loud", [](auto k, auto& s) { s.sensor()[1] = 1000.0 + (k % 2 == 0 ? 10.0 : -10.0); },
                 "warning: sensor P: noise is 7.1 times"},
         Mistake{"quiet", [](auto k, auto& s) { s.sensor()[1] = 1000.0 + (k % 2 == 0 ? 0.05 : -0.05); },
