@@ -162,6 +162,28 @@ void take_structure(mat_t* file, const std::string& name, bool linmod, Variables
   }
 }
 
+/// What stands beside the structure that holds the model. It may be of another model, and may be meant for this one: what
+/// this one would need and lacks is not passed over.
+void check_beside(const Directory& directory, const std::vector<MatObject>& objects, const std::string& structure,
+                  Variables& result) {
+  const auto check = [&](const std::string& name, const std::string& shown) {
+    if (!is_known(name)) {
+      result.ignored.push_back(shown);
+    } else if (result.find(name) == nullptr && !result.texts.contains(name)) {
+      throw FileError(result.path + ": " + shown + " stands beside the structure " + structure +
+                      ", which holds the model "
+                      "and has no " +
+                      name + "; allowed: all of the model in one place. Save it as " + structure + "." + name +
+                      ", or leave it out of the file.");
+    }
+  };
+  for (const MatObject& object : objects)
+    if (object.name.find('.') == std::string::npos)
+      check(object.name, object.name + " (an object of class " + object.class_name + ")");
+  for (const std::string& name : directory.names)
+    if (name != structure) check(name, name);
+}
+
 /// All but the structure `taken`, which has been read already.
 void take_top_level(mat_t* file, const Directory& directory, bool linmod, const std::string& taken, Variables& result) {
   for (const std::string& theirs : directory.names) {
@@ -203,7 +225,8 @@ void take_all(mat_t* file, const Directory& directory, const std::vector<MatObje
   const bool in_structure = !at_top("A") && directory.structures.size() == 1;
   if (in_structure) {
     take_objects(objects, directory.structures.front(), false, result);
-    return take_structure(file, directory.structures.front(), false, result);
+    take_structure(file, directory.structures.front(), false, result);
+    return check_beside(directory, objects, directory.structures.front(), result);
   }
   const bool linmod_at_top = !at_top("A") && at_top("a") && at_top("c");
   const bool linmod = !at_top("A") && !linmod_at_top && !directory.linmod.empty();

@@ -110,6 +110,31 @@ TEST(ImportMatObjects, AFieldThatIsAnObjectIsRefusedWithTheRemedy) {
       "texts. Save it as sensor_names = cellstr(sensor_names).");
 }
 
+TEST(ImportMatObjects, WhatTheModelLacksIsNotPassedOverBesideItsStructure) {
+  const auto beside = [](const std::function<void(MatWriter&)>& write, const std::string& bytes) {
+    {
+      MatWriter mat(mat_path());
+      write(mat);
+      mat.begin_structure("engine");
+      write_least(mat);
+    }
+    append(bytes);
+    return message([] { import_model(mat_path(), {}); });
+  };
+  const auto nothing = [](MatWriter&) {};
+  const std::string why =
+      " stands beside the structure engine, which holds the model and has no sensor_units; allowed: all of the model "
+      "in "
+      "one place. Save it as engine.sensor_units, or leave it out of the file.";
+  EXPECT_EQ(beside(nothing, object("sensor_units", "string")), ": sensor_units (an object of class string)" + why);
+  EXPECT_EQ(beside([](MatWriter& mat) { mat.cells("sensor_units", {"K", "K"}); }, ""), ": sensor_units" + why);
+  EXPECT_THAT(beside([](MatWriter& mat) { mat.number("Q", 1.0); }, ""), HasSubstr(": Q stands beside the structure"));
+  // What the structure has, and what no model has, does not matter there.
+  EXPECT_EQ(beside([](MatWriter& mat) { mat.number("Ts", 3.0); }, object("log", "timetable")), "accepted");
+  EXPECT_THAT(import_model(mat_path(), {}).assumed,
+              Contains("not part of a model, ignored: log (an object of class timetable)"));
+}
+
 TEST(ImportMatObjects, ASystemWithoutItsMatricesIsNamed) {
   {
     MatWriter mat(mat_path());

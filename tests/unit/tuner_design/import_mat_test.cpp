@@ -47,7 +47,7 @@ TEST(ImportMat, AStructureHoldsAModelToo) {
     mat.text("remark", "of no concern");
   });
   expect_same(imported.model, model);
-  EXPECT_THAT(imported.assumed, testing::ElementsAre("not part of a model, ignored: remark"));
+  EXPECT_THAT(imported.assumed, testing::ElementsAre("not part of a model, ignored: remark, unrelated"));
 }
 
 TEST(ImportMat, EveryFormOfAMatrixAndOfNames) {
