@@ -44,6 +44,7 @@ Eigen::Index most_tuners(const PreparedPoint& point, const std::vector<int>& sen
 }
 
 std::vector<int> seeing_sensors(const std::vector<PreparedPoint>& points, const std::vector<int>& sensors) {
+  if (sensors.empty()) return {};
   std::vector<bool> sees(sensors.size(), false);
   for (const PreparedPoint& point : points) {
     const Eigen::VectorXd signal =

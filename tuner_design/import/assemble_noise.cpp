@@ -28,9 +28,7 @@ Eigen::VectorXd sigmas(const Variables& given, const std::string& name, Eigen::I
   for (Eigen::Index i = 0; i < size; ++i) {
     if (std::isnan(sigma(i)) || sigma(i) > 0.0) continue;
     throw_defect(given.source, name + "(" + std::to_string(i + 1) + ")", shown(sigma(i)), "above 0",
-                 name == "sensor_update_period_s" ? "Give the time between two values in seconds"
-                 : name == "sensor_resolution"    ? "Give the step of its values in the channel's unit"
-                                                  : "Give a standard deviation in the channel's unit");
+                 "Give a standard deviation in the channel's unit");
   }
   return sigma;
 }
@@ -128,10 +126,16 @@ void assemble_sensor_noise(const Variables& given, const ImportOptions& options,
   }
 }
 
-/// What sensors state of their resolution or update period; empty where none does.
+/// What sensors state of their resolution or update period, 0 where one does not; empty where none does.
 Eigen::VectorXd fineness(const Variables& given, const std::string& name, Eigen::Index m) {
   const Eigen::VectorXd values =
-      sigmas(given, name, m, "row of C").unaryExpr([](double v) { return std::isnan(v) ? 0.0 : v; });
+      vector_of(given, name, m, "row of C", true).unaryExpr([](double v) { return std::isnan(v) ? 0.0 : v; });
+  for (Eigen::Index i = 0; i < m; ++i) {
+    if (values(i) >= 0.0) continue;
+    throw_defect(given.source, name + "(" + std::to_string(i + 1) + ")", shown(values(i)), "0 (not known) or above",
+                 name == "sensor_update_period_s" ? "Give the time between two values in seconds"
+                                                  : "Give the step of its values in the channel's unit");
+  }
   return values.isZero(0.0) ? Eigen::VectorXd() : values;
 }
 

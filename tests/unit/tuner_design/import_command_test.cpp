@@ -38,8 +38,34 @@ Result run(std::vector<std::string> arguments) {
 class ImportCommand : public testing::Test {
  protected:
   /// The model as JSON, as MATLAB file, as CSV folder.
-  std::vector<std::string> forms(const LinearModel& model) {
+  /// A list of candidates is longer than what write_model writes: the others are put behind by hand.
+  void write_json(LinearModel model) {
+    const std::size_t most = estimation::max_sensors, all = model.sensors.size();
+    const LinearModel whole = model;
+    if (all > most) {
+      model.sensors.resize(most);
+      for (Eigen::MatrixXd* matrix : {&model.C, &model.D, &model.M}) matrix->conservativeResize(most, Eigen::NoChange);
+      model.sensor_noise_sigma.conservativeResize(most);
+    }
     design::write_model(model, folder_.path("model.json"));
+    if (all <= most) return;
+    nlohmann::json json = nlohmann::json::parse(folder_.content("model.json"));
+    for (std::size_t i = most; i < all; ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      json["sensors"].push_back({{"name", whole.sensors[i].name},
+                                 {"unit", whole.sensors[i].unit},
+                                 {"trim", whole.sensors[i].trim},
+                                 {"noise_sigma", whole.sensor_noise_sigma(at)}});
+      for (const auto& [name, matrix] : {std::pair{"C", &whole.C}, {"D", &whole.D}, {"M", &whole.M}}) {
+        const Eigen::RowVectorXd row = matrix->row(at);
+        json[name].push_back(std::vector<double>(row.begin(), row.end()));
+      }
+    }
+    folder_.file("model.json", json.dump());
+  }
+
+  std::vector<std::string> forms(const LinearModel& model) {
+    write_json(model);
     {
       test::MatWriter mat(folder_.path("model.mat"));
       test::write_all(mat, model);

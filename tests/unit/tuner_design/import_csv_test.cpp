@@ -99,7 +99,7 @@ TEST_F(ImportCsv, MistakesAreNamedByFileAndLine) {
             "/channels.csv:2: kind is 'sensors'; allowed: state, control, health, sensor, auxiliary.");
   EXPECT_EQ(refusal("channels.csv", "name,unit\nT3,K\n"), "/channels.csv:1: the column kind is missing. Add it.");
   EXPECT_EQ(refusal("channels.csv", "kind,units\nsensor,K\n"),
-            "/channels.csv:1: a column is 'units'; allowed: kind, name, unit, trim, sigma.");
+            "/channels.csv:1: a column is 'units'; allowed: kind, name, unit, trim, sigma, resolution, update_period_s.");
   EXPECT_EQ(refusal("channels.csv", "kind,sigma\nstate,2\n"),
             "/channels.csv:2: sigma of a state is '2'; allowed: empty, since only health and sensors have one.");
   EXPECT_EQ(refusal("channels.csv", "kind,name\nsensor,T3\n"),

@@ -112,7 +112,7 @@ TEST(ImportMat, OptionsStandInForWhatIsNotStated) {
         mat.numbers("C", least.C);
         mat.numbers("M", least.M);
         mat.numbers("sensor_trim", Eigen::Vector2d(400.0, 50.0));
-        mat.numbers("sensor_resolution", Eigen::Vector2d(2.0, std::nan("")));
+        mat.numbers("sensor_resolution", Eigen::Vector2d(2.0, 0.0));
       },
       {0.025, 1.5, 0.4, 0.02});
   EXPECT_FALSE(imported.model.discrete);
