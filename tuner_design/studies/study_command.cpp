@@ -45,6 +45,10 @@ estimation::LinearModel cruise(bool half_worn) {
 void run_study(Arguments arguments, const Console& console) {
   arguments.faults.options.seed = arguments.options.seed;
   arguments.faults.options.threads = arguments.options.threads;
+  const bool of_the_paper = arguments.study.starts_with("simon-garg");
+  if (!of_the_paper && arguments.trim != "new")
+    throw CLI::ValidationError("--trim", "goes with simon-garg-4 to -7; study " + arguments.study +
+                                             " flies the design of --design");
   if (arguments.study == "faults")
     return fault_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
   if (arguments.study == "false-alarms")
