@@ -76,11 +76,11 @@ ChosenTuners choose_tuners(const Envelope& envelope, const std::vector<int>& sen
         {make_point_problem(point.model, point.steady, sensors, options.weights), envelope.weights[i]});
   }
   const std::vector<NamedTuners> starts = starts_of(envelope, sensors, t);
-  chosen.closed_form = objective(chosen.problem, starts.front().V);
   if (options.tuning == design::Tuning::closed_form || t == envelope.points.front().model.L.cols()) {
     chosen.search.V = starts.front().V;
     return chosen;
   }
+  chosen.closed_form = objective(chosen.problem, starts.front().V);
   chosen.search = search_tuners(chosen.problem, {starts, random_starts, options.seed, threads, progress});
   return chosen;
 }

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "monitor/design/design.h"
@@ -38,7 +39,7 @@ struct Envelope {
 struct ChosenTuners {
   SearchProblem problem;
   SearchResult search;     ///< its V is the choice
-  double closed_form = 0;  ///< J of the first start
+  std::optional<double> closed_form;  ///< J of the first start; none where that was chosen without a search
 };
 
 /// `random_starts` stands in place of options.random_starts: the designs for a missing sensor need fewer.

@@ -54,6 +54,19 @@ bool knows_its_error(const Envelope& envelope) {
                      [](const PreparedPoint& point) { return point.model.linearisation_error.size() > 0; });
 }
 
+/// J of the Kalman filters on the chosen tuners, by their error theory: of any number of sensors, while the search's own
+/// objective has a capacity.
+double objective_of(const SearchProblem& problem, const std::vector<SubsetDesign>& filters) {
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    const SearchPoint& point = problem.points[i];
+    sum += point.weight * (point.problem.health_weight * filters[i].health_total_covariance.trace() +
+                           point.problem.auxiliary_weight.dot(filters[i].auxiliary_total_covariance.diagonal()));
+    weights += point.weight;
+  }
+  return sum / weights;
+}
+
 /// Tuners with the filter of every point on them.
 struct Candidate {
   ChosenTuners tuners;
@@ -67,11 +80,13 @@ Candidate candidate_with(
     int random_starts, unsigned threads, const DesignProgress& progress = [](double) {}) {
   Candidate candidate;
   candidate.tuners = choose_tuners(envelope, sensors, t, options, random_starts, threads, progress);
-  candidate.objective = objective(candidate.tuners.problem, candidate.tuners.search.V);
   for (const PreparedPoint& point : envelope.points) {
     candidate.filters.push_back(filter_on(point, sensors, candidate.tuners.search.V, options.qh_percent2));
     candidate.within_prior = candidate.within_prior && within_prior(candidate.filters.back(), point.model);
   }
+  candidate.objective = options.tuning == design::Tuning::closed_form
+                            ? objective_of(candidate.tuners.problem, candidate.filters)
+                            : objective(candidate.tuners.problem, candidate.tuners.search.V);
   return candidate;
 }
 
@@ -160,8 +175,8 @@ void add_errors_and_limits(Design& design, const PreparedPoint& point) {
 design::Certificate certificate_of(const ChosenTuners& tuners, const SubsetDesign& filter, const PreparedPoint& point) {
   design::Certificate certificate;
   certificate.starts = tuners.search.starts;
-  certificate.closed_form_objective = tuners.closed_form;
   certify(certificate, tuners.problem, tuners.search.V);
+  certificate.closed_form_objective = tuners.closed_form.value_or(certificate.objective);
   const Observability observability = observability_of(point, filter.sensors);
   certificate.steady_singular_values = observability.singular_values;
   certificate.condition = observability.condition;
@@ -246,6 +261,7 @@ Design design_on_tuners(const LinearModel& model, const Eigen::MatrixXd& V, doub
   options.qh_percent2 = qh_percent2;
   options.tuning = design::Tuning::closed_form;
   ChosenTuners tuners = choose_tuners({{point}, {1.0}}, all_sensors(model), V.rows(), options, 0, 1);
+  tuners.closed_form = objective(tuners.problem, tuners.search.V);
   tuners.search.V = row_space(V);
   Design design =
       full_design(model, point, options, tuners, filter_on(point, all_sensors(model), tuners.search.V, qh_percent2));

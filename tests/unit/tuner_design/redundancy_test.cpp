@@ -169,7 +169,8 @@ TEST(BlindSensors, AreNamedAndNoDesignUsesThem) {
 TEST(FaultSignatures, TellTwoEqualProbesApart) {
   // A step of one probe: its twin's signature explains only the part in which they agree.
   const Design design = closed_form(with_twin(test::made_up_model(5, 7), 3));
-  const monitor::FaultSignatures& s = monitor::fault_tables(design)->full;
+  const auto tables = monitor::fault_tables(design);
+  const monitor::FaultSignatures& s = tables->full;
   const int m = s.sensors;
   Eigen::VectorXd x(m), y(m);
   double cross = 0.0;
