@@ -20,9 +20,10 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
   auto& c = o.checks;
   schema.integer("checks.source_id", c.source_id, 0, max_id, "",
                  "the only source that is followed, by the source_id of its samples; 0 is the first that speaks");
-  schema.real("checks.range_percent", c.range_percent, 1, 1000, "percent of trim",
-              "a sensor farther from its trim is out of range; temperatures count from absolute zero, and one percent is "
-              "at least a sigma of the sensor's noise and a tenth of what the fleet's health moves it by");
+  schema.real(
+      "checks.range_percent", c.range_percent, 1, 1000, "percent of trim",
+      "a sensor farther from its trim is out of range; temperatures count from absolute zero, and one percent is "
+      "at least a sigma of the sensor's noise and a tenth of what the fleet's health moves it by");
   schema.real("checks.rate_percent", c.rate_percent, 0.1, 1000, "percent of trim",
               "a larger step between two samples is impossible; one percent as for checks.range_percent");
   schema.integer(

@@ -55,8 +55,7 @@ SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOp
     : options_(options), memory_(model.sensors.size()) {
   require_known(sensors, model);
   // sqrt of diag(H Ph H^T): what the fleet's health makes of each sensor
-  const Eigen::VectorXd spread =
-      (estimation::steady_gain(model).H * model.health_sigma.asDiagonal()).rowwise().norm();
+  const Eigen::VectorXd spread = (estimation::steady_gain(model).H * model.health_sigma.asDiagonal()).rowwise().norm();
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
     trim_.push_back(model.sensors[i].trim);
     const auto at = static_cast<Eigen::Index>(i);
