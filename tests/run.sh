@@ -2,9 +2,11 @@
 # Installs what is missing, builds, and runs the tests through ctest. The last two lines say which tests needed a second
 # try, and "N passed, N failed".
 # Usage: tests/run.sh           the default tier: all that guards every change
-#        tests/run.sh --full    the sanitizer builds, the demo, the packages in a Debian of their own, and the control's
-#                               1000 demand sequences as well
-# EHM_BUILD_DIR names another build folder (default build; the sanitizers' get a suffix).
+#        tests/run.sh --full    besides: the sanitizer builds, the demo, the fuzzers, the packages in a Debian of their own,
+#                               the fleet in network namespaces, the control's 1000 demand sequences; one line for each
+#                               of them at the end, with its time; hours on two cores
+# EHM_BUILD_DIR names another build folder (default build; the sanitizers' get a suffix). EHM_FUZZ_SECONDS is the time of
+# each fuzzer under --full (default 120).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,31 +20,41 @@ build=${EHM_BUILD_DIR:-build}
 
 if [ "$full" = yes ]; then deploy/install-deps.sh --full; else deploy/install-deps.sh; fi
 
-# sanitized NAME SANITIZERS CTEST_ARGUMENT...: builds with the sanitizers and runs the chosen tests.
+# stage NAME COMMAND...: what fails, or cannot be done here (77), is said at the end and ends nothing else.
+stages=() broken=0
+stage() {
+  local name=$1 began=$SECONDS outcome=passed status=0
+  shift
+  ( "$@" ) || status=$?
+  if [ "$status" -eq 77 ]; then outcome=skipped; elif [ "$status" -ne 0 ]; then outcome=FAILED broken=$((broken + 1)); fi
+  stages+=("$(printf '%-12s %-8s %6d s' "$name" "$outcome" $((SECONDS - began)))")
+}
+
+# sanitized NAME SANITIZERS TARGETS CTEST_ARGUMENT...: builds with the sanitizers and runs the chosen tests. A report of a
+# sanitizer fails the stage even where a second try of the test passes.
 sanitized() {
-  local name=$1 sanitizers=$2
-  shift 2
-  EHM_CMAKE_ARGS="-DEHM_SANITIZE=$sanitizers -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1" deploy/build.sh "$build-$name"
-  ctest --test-dir "$build-$name" --output-on-failure -j2 "$@"
+  local name=$1 sanitizers=$2 targets=$3 reports=$build-$1/reports broken=0
+  shift 3
+  # shellcheck disable=SC2086  # several targets on purpose
+  EHM_CMAKE_ARGS="-DEHM_SANITIZE=$sanitizers -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1" \
+    deploy/build.sh "$build-$name" $targets || return 1
+  rm -rf "$reports" && mkdir -p "$reports" && reports=$(realpath "$reports")/report
+  export ASAN_OPTIONS="$ASAN_OPTIONS:log_path=$reports" TSAN_OPTIONS="$TSAN_OPTIONS log_path=$reports"
+  export UBSAN_OPTIONS="print_stacktrace=1:log_path=$reports"
+  ctest --test-dir "$build-$name" --output-on-failure -j2 -LE integration "$@" || broken=1
+  ctest --test-dir "$build-$name" --output-on-failure -j2 -L integration --repeat until-pass:2 "$@" || broken=1
+  if compgen -G "$reports.*" >/dev/null; then head -n 60 "$reports".*; broken=1; fi
+  return "$broken"
 }
 
 if [ "$full" = yes ]; then
   # Fast DDS deletes some objects through a base class of another size (DESIGN.md).
-  export ASAN_OPTIONS=new_delete_type_mismatch=0:detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
-  sanitized asan-ubsan address,undefined -E '^Allocation'
+  export ASAN_OPTIONS=new_delete_type_mismatch=0:detect_leaks=1
   export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp history_size=7"
-  sanitized tsan thread -R 'SpscQueue|FlightTest|BadSamplesTest|ReloadTest|CheckpointTest'
-  EHM_BUILD_DIR=$build deploy/demo.sh --seconds 30
-  EHM_BUILD_DIR=$build tests/fuzz/fuzz.sh --jobs 2
-  export EHM_CONTROL_SEQUENCES=1000
+  export EHM_CONTROL_SEQUENCES=1000 EHM_BUILD_DIR=$build
 fi
 
 EHM_CMAKE_ARGS=-DEHM_WERROR=ON deploy/build.sh "$build"
-if [ "$full" = yes ]; then tests/packages/packages.sh "$build" || [ $? -eq 77 ]; fi
-if [ "$full" = yes ]; then
-  ctest --test-dir "$build" -R '^integration.(linearise|design)$'
-  tests/fleet/namespaces.sh "$build" "$build/tests/integration/design.json" || [ $? -eq 77 ]
-fi
 
 # run_tests NAME CTEST_ARGUMENT...: ctest shows its output and failures; what it counted is added up for the closing line.
 passed=0 failed=0
@@ -62,5 +74,17 @@ run_tests integration -L integration --repeat until-pass:2
 # The result of a second try stands without its "number/of all".
 retried=$(sed -nE 's|^ +Test +#[0-9]+: ([^ ]+) .*|\1|p' "$build/Testing/integration.log" | sort -u)
 echo "second tries: $(grep -c . <<< "$retried" || true)" $retried
+
+if [ "$full" = yes ]; then
+  unset EHM_CONTROL_SEQUENCES
+  stage namespaces tests/fleet/namespaces.sh "$build" "$build/tests/integration/design.json"
+  stage packages tests/packages/packages.sh "$build"
+  stage demo deploy/demo.sh --seconds 30
+  stage tsan sanitized tsan thread "integration_test cycle_test engine_sim monitor ehm_watch tuner_design" \
+    -R 'SpscQueue|FlightTest|BadSamplesTest|ReloadTest|CheckpointTest'
+  stage asan-ubsan sanitized asan-ubsan address,undefined all -E '^Allocation'
+  stage fuzz tests/fuzz/fuzz.sh --jobs 2 --seconds "${EHM_FUZZ_SECONDS:-120}"
+  printf '%s\n' "${stages[@]}"
+fi
 echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+[ "$failed" -eq 0 ] && [ "$broken" -eq 0 ]
