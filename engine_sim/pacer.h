@@ -24,6 +24,9 @@ class Pacer {
     return clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) != EINTR;
   }
 
+  /// Forgets the deadlines that were missed.
+  void restart() { next_ns_ = now_ns(); }
+
   std::uint64_t slips() const { return slips_; }
   /// Longest lateness when a wait began, ns; how near the loop came to a slip.
   std::int64_t worst_ns() const { return worst_ns_; }

@@ -44,16 +44,60 @@ class SourceClock {
   std::int64_t start_ns_;
 };
 
-/// Under lockstep somebody must listen and answer before the first sample, or its window would never be answered.
-void wait_for_monitors(const SimPublisher& publisher, const std::optional<Lockstep>& lockstep, std::int64_t wanted,
-                       const service::StopSignal& stop, service::TurnCounter& turns) {
-  if (lockstep) wanted = std::max<std::int64_t>(wanted, 1);
-  const auto ready = [&] {
-    turns.turned();
-    return publisher.monitors() >= wanted && (!lockstep || lockstep->monitors() > 0);
+/// The simulator's place in DDS: made anew when the process was held up for so long that others have dropped it.
+class Link {
+ public:
+  Link(const SimConfig& config, const Simulation& simulation) : config_(config), simulation_(simulation) { join(); }
+
+  /// To be called at least once a second; true if the link is a new one, and as many listen to it as before, or two
+  /// seconds are over.
+  bool keep(const service::StopSignal& stop) {
+    const double held_up_s = ends_->participant.held_up_s();
+    if (held_up_s == 0.0) return false;
+    join_anew(
+        held_up_s, [this] { return ends_->publisher.monitors(); }, [this] { join(); }, stop);
+    return true;
+  }
+  /// Under lockstep somebody must listen and answer before the first sample, or its window would never be answered.
+  void wait(std::int64_t wanted, const service::StopSignal& stop, service::TurnCounter& turns) {
+    if (ends_->lockstep) wanted = std::max<std::int64_t>(wanted, 1);
+    const auto ready = [&] {
+      turns.turned();
+      keep(stop);
+      return ends_->publisher.monitors() >= wanted && (!ends_->lockstep || ends_->lockstep->monitors() > 0);
+    };
+    wait_for_readers(wanted, ready, stop);
+  }
+  SimPublisher& publisher() { return ends_->publisher; }
+  CommandReader& commands() { return ends_->commands; }
+  /// Null in real time.
+  Lockstep* lockstep() { return ends_->lockstep ? &*ends_->lockstep : nullptr; }
+
+ private:
+  struct Ends {
+    explicit Ends(const SimConfig& config)
+        : participant(config, "engine_sim " + std::to_string(config.scenario.engine_id)),
+          publisher(participant, config.scenario),
+          commands(participant, static_cast<std::uint32_t>(config.scenario.engine_id)) {
+      if (config.rate_factor() == 0.0)
+        lockstep.emplace(participant, static_cast<std::uint32_t>(config.scenario.engine_id),
+                         static_cast<std::uint64_t>(config.lockstep_window));
+    }
+    WatchedParticipant participant;
+    SimPublisher publisher;
+    CommandReader commands;
+    std::optional<Lockstep> lockstep;
   };
-  wait_for_readers(wanted, ready, stop);
-}
+  void join() {
+    ends_.reset();
+    ends_.emplace(config_);
+    ends_->publisher.describe(simulation_);
+  }
+
+  const SimConfig& config_;
+  const Simulation& simulation_;
+  std::optional<Ends> ends_;
+};
 
 }  // namespace
 
@@ -62,16 +106,11 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   const double rate = config.rate_factor();
   const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
 
-  WatchedParticipant participant(config, "engine_sim " + std::to_string(scenario.engine_id));
-  SimPublisher publisher(participant, scenario);
-  CommandReader commands(participant, engine_id);
-  std::optional<Lockstep> lockstep;
-  if (rate == 0.0) lockstep.emplace(participant, engine_id, static_cast<std::uint64_t>(config.lockstep_window));
-  publisher.describe(simulation);
+  Link link(config, simulation);
   service::TurnCounter turns;
   const service::Watchdog watchdog(turns, "simulation");
   service::notify_ready();
-  wait_for_monitors(publisher, lockstep, config.wait_for_monitors, stop, turns);
+  link.wait(config.wait_for_monitors, stop, turns);
 
   spdlog::info("engine {} flies at {} m, Mach {}, fan speed {:.1f} rpm", engine_id, scenario.flight.altitude_m,
                scenario.flight.mach, simulation.nominal().speeds.n1_rpm);
@@ -79,18 +118,19 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   Pacer pacer(rate > 0.0 ? scenario.sample_time_s / rate : scenario.sample_time_s);
   std::uint64_t sent = 0, refused = 0;
   while (!stop.requested() && (scenario.duration_s <= 0.0 || simulation.time_s() < scenario.duration_s)) {
-    commands.apply_all(simulation, [](const std::string& what) { spdlog::info("{}", what); });
-    if (lockstep && !lockstep->admit(sent, answer_limit))
+    if (link.keep(stop)) pacer.restart();
+    link.commands().apply_all(simulation, [](const std::string& what) { spdlog::info("{}", what); });
+    if (link.lockstep() && !link.lockstep()->admit(sent, answer_limit))
       throw std::runtime_error("rate max: no monitor has answered for 10 s (EngineResiduals of engine " +
                                std::to_string(engine_id) + "); start a monitor on this domain and partition");
     const SimSample sample = simulation.next();
-    refused += publisher.publish(sample, clock.stamp(sample.sequence)) ? 0u : 1u;
+    refused += link.publisher().publish(sample, clock.stamp(sample.sequence)) ? 0u : 1u;
     ++sent;
     turns.turned();
-    if (!lockstep && !pacer.wait()) break;
+    if (!link.lockstep() && !pacer.wait()) break;
   }
   service::notify_stopping();
-  if (!publisher.drain(1.0)) spdlog::warn("not every reader has acknowledged the last samples");
+  if (!link.publisher().drain(1.0)) spdlog::warn("not every reader has acknowledged the last samples");
   spdlog::info("{} samples published, {} refused by the middleware, {} slips, worst lateness {:.3f} ms", sent, refused,
                pacer.slips(), 1e-6 * static_cast<double>(pacer.worst_ns()));
 }

@@ -41,8 +41,9 @@ inline constexpr std::array event_kind_names{"?",
                                              "source_stamps",
                                              "source_sequence",
                                              "condition_fault",
-                                             "slow_sensor"};
-static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::slow_sensor) + 1);
+                                             "slow_sensor",
+                                             "held_up"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::held_up) + 1);
 
 inline constexpr std::array<std::pair<std::uint32_t, const char*>, 5> estimate_flag_names{
     {{estimate_flag::converging, "converging"},

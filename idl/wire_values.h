@@ -12,9 +12,9 @@ inline constexpr std::uint32_t schema_version = 1;
 namespace estimate_flag {
 inline constexpr std::uint32_t converging = 1u
                                             << 0;  ///< filter started less than seven of its slowest time constants ago
-inline constexpr std::uint32_t bridging = 1u << 1;    ///< a sensor of the design was predicted, not fused, or a word of
-                                                      ///< flight condition or actuators was replaced by the last good one
-inline constexpr std::uint32_t degraded = 1u << 2;    ///< a design without some sensor flies
+inline constexpr std::uint32_t bridging = 1u << 1;  ///< a sensor of the design was predicted, not fused, or a word of
+                                                    ///< flight condition or actuators was replaced by the last good one
+inline constexpr std::uint32_t degraded = 1u << 2;  ///< a design without some sensor flies
 inline constexpr std::uint32_t off_design = 1u << 3;  ///< outside the design's operating point or sample time
 inline constexpr std::uint32_t shifted = 1u << 4;     ///< a health shift event is raised
 }  // namespace estimate_flag
@@ -27,10 +27,10 @@ inline constexpr std::uint32_t range = 1u << 2;
 inline constexpr std::uint32_t rate = 1u << 3;
 inline constexpr std::uint32_t stuck = 1u << 4;
 inline constexpr std::uint32_t innovation_gate = 1u << 5;
-inline constexpr std::uint32_t excluded = 1u << 6;  ///< declared faulty, requalifying
-inline constexpr std::uint32_t withheld = 1u << 7;  ///< no estimate was made: off design, or too few sensors
-inline constexpr std::uint32_t bias = 1u << 8;      ///< named by the fault detector
-inline constexpr std::uint32_t noise = 1u << 9;     ///< named by the fault detector
+inline constexpr std::uint32_t excluded = 1u << 6;   ///< declared faulty, requalifying
+inline constexpr std::uint32_t withheld = 1u << 7;   ///< no estimate was made: off design, or too few sensors
+inline constexpr std::uint32_t bias = 1u << 8;       ///< named by the fault detector
+inline constexpr std::uint32_t noise = 1u << 9;      ///< named by the fault detector
 inline constexpr std::uint32_t repeated = 1u << 10;  ///< a value that a slow sensor still holds: fused once already
 }  // namespace reject_reason
 
@@ -71,9 +71,12 @@ enum class EventKind : std::uint32_t {
                           ///< names participant, topic and reason (raised 0: all that were named are gone)
   source_stamps = 22,     ///< source_time_ns is not set, repeats, or steps back (value: by how many seconds, negative)
   source_sequence = 23,   ///< new samples carry the sequence number of the one before (value) and are dropped
-  condition_fault = 24,   ///< channel: 0 altitude_m, 1 mach, 2 delta_isa_k, from 3 on the actuators; value: the word that
-                          ///< came, threshold: the last good one
-  slow_sensor = 25        ///< channel: sensor; value: seconds between its updates, threshold: as the design has it
+  condition_fault =
+      24,            ///< channel: 0 altitude_m, 1 mach, 2 delta_isa_k, from 3 on the actuators; value: the word that
+                     ///< came, threshold: the last good one
+  slow_sensor = 25,  ///< channel: sensor; value: seconds between its updates, threshold: as the design has it
+  held_up = 26       ///< the monitor's process was stopped for so long (value, s) that others dropped it; it joins
+                     ///< DDS anew (raised 0: it has)
 };
 
 enum class SimCommandKind : std::uint32_t {

@@ -27,17 +27,17 @@ constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that mus
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
-                         ReportQueue& reports, CheckpointKeeper* checkpoints, RecordFeed* records,
-                         TableExchange& exchange)
+                         const CycleLinks& links)
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
-      start_ns_(monotonic_ns()),
+      start_ns_(links.start_ns),
       engines_(&engines),
-      exchange_(exchange),
-      reports_(reports),
-      checkpoints_(checkpoints),
-      records_(records),
+      exchange_(links.exchange),
+      reports_(links.reports),
+      checkpoints_(links.checkpoints),
+      records_(links.records),
+      turns_(links.turns),
       sensors_(participant),
       commands_(participant),
       descriptions_(participant),

@@ -20,18 +20,27 @@
 
 namespace ehm::monitor {
 
+/// What the cycle gives to other threads, and takes from them. It outlives the thread's endpoints.
+struct CycleLinks {
+  ReportQueue& reports;
+  CheckpointKeeper* checkpoints;  ///< null: none are kept
+  RecordFeed* records;            ///< null: nothing is recorded
+  TableExchange& exchange;
+  service::TurnCounter& turns;  ///< grows with every turn and every sample, at least 60 times a second
+  std::int64_t start_ns;        ///< of the service, monotonic
+};
+
 class CycleThread {
  public:
-  /// `checkpoints` and `records` may be null: none are kept then.
-  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines, ReportQueue& reports,
-              CheckpointKeeper* checkpoints, RecordFeed* records, TableExchange& exchange);
+  CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
+              const CycleLinks& links);
 
   /// Waits for input for one period at most, and handles what has come. Call until the service stops.
   void run_once();
   /// Ends in order: leaves every engine between two of its samples, tells its subscribers, keeps a last checkpoint.
   void stop();
-  /// Grows with every turn and every sample, at least 60 times a second.
-  const service::TurnCounter& turns() const { return turns_; }
+  /// The table that flies at present.
+  EngineTable& engines() { return *engines_; }
 
  private:
   void hear_descriptions();
@@ -73,7 +82,7 @@ class CycleThread {
   bool backlog_ = false;    ///< the last turn left samples
   bool held_back_ = false;  ///< the sample last taken waits for its source's description
   std::int64_t watched_ns_ = 0;
-  service::TurnCounter turns_;
+  service::TurnCounter& turns_;
 
   wire::Reader<EngineSensors> sensors_;
   wire::Reader<MonitorCommand> commands_;

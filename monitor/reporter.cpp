@@ -32,13 +32,14 @@ void say_malformed(const Report& report) {
 }  // namespace
 
 Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
-                   InputWatch& input, StatusBoard& board)
+                   InputWatch& input, StatusBoard& board, service::TurnCounter& turns)
     : unreadable_(participant.unreadable()),
       source_id_(source_id),
       queue_(queue),
       notices_(notices),
       input_(input),
       board_(board),
+      turns_(turns),
       events_(participant),
       status_(participant),
       descriptions_(participant),
@@ -63,10 +64,10 @@ void Reporter::run() {
   }
 }
 
-void Reporter::await_reported() const {
+void Reporter::await_reported(const service::TurnCounter& turns) {
   // The turn that ends next may have looked at the queue before; the one after it has not.
-  const std::uint64_t enough = turns_.turns() + 2;
-  while (turns_.turns() < enough) std::this_thread::sleep_for(poll);
+  const std::uint64_t enough = turns.turns() + 2;
+  while (turns.turns() < enough) std::this_thread::sleep_for(poll);
 }
 
 bool Reporter::report_next() {

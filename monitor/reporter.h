@@ -16,16 +16,14 @@ namespace ehm::monitor {
 
 class Reporter {
  public:
-  /// What it publishes also hangs on `board`.
+  /// What it publishes also hangs on `board`; `turns` grows with each look at the queue.
   Reporter(wire::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
-           InputWatch& input, StatusBoard& board);
+           InputWatch& input, StatusBoard& board, service::TurnCounter& turns);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
-  /// From any slow thread that is not the middleware's (those post on the notice board): publishes and logs.
-  void say(const Notice& notice);
-  /// From a slow thread: returns once everything that was queued before the call is reported.
-  void await_reported() const;
-  const service::TurnCounter& turns() const { return turns_; }
+  /// From a slow thread: returns once everything that was queued before the call is reported, by this reporter or one
+  /// that follows it. `turns`: of these reporters.
+  static void await_reported(const service::TurnCounter& turns);
 
  private:
   void run();
@@ -36,6 +34,7 @@ class Reporter {
   void report_notices();
   void report_status(MonitorStatus& status);
   void report_overflow();
+  void say(const Notice& notice);
   void publish(HealthEvent& event);
 
   wire::UnreadablePeers& unreadable_;
@@ -45,7 +44,7 @@ class Reporter {
   NoticeBoard& notices_;
   InputWatch& input_;
   StatusBoard& board_;
-  service::TurnCounter turns_;
+  service::TurnCounter& turns_;
   std::uint64_t overflow_said_ = 0;
   wire::Writer<HealthEvent> events_;
   wire::Writer<MonitorStatus> status_;

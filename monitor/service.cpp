@@ -1,7 +1,9 @@
 #include "monitor/service.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
+#include <functional>
 #include <optional>
 
 #include "deploy/service/notify.h"
@@ -45,7 +47,7 @@ wire::ParticipantOptions watched_participant(const MonitorConfig& config, Notice
 
 /// Checkpoints are on: what is kept in flight, and what could be resumed at start.
 struct Checkpoints {
-  Checkpoints(const MonitorConfig& config, const EngineTable& engines, Reporter& reporter)
+  Checkpoints(const MonitorConfig& config, const EngineTable& engines, NoticeBoard& notices)
       : writer(config.checkpoint_directory),
         resumable(
             config.checkpoint_directory, config.checkpoint_max_age_s, wall_clock_ns(),
@@ -56,7 +58,7 @@ struct Checkpoints {
             refused),
         keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s) {
     for (const auto& r : refused)
-      reporter.say({wire::EventKind::checkpoint, true, "cold start: " + r.why, r.engine_id});
+      notices.post({wire::EventKind::checkpoint, true, "cold start: " + r.why, r.engine_id});
   }
   std::vector<RefusedCheckpoint> refused;
   CheckpointWriter writer;
@@ -64,48 +66,87 @@ struct Checkpoints {
   CheckpointKeeper keeper;
 };
 
-}  // namespace
-
-void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table, const ReloadSource& source) {
-  EngineTable& engines = *table;  // at start; the reloader owns it, and those that come after it
-  const service::StopSignal stop;
-  std::optional<Recorder> recorder;
-  if (!config.record.file.empty()) recorder.emplace(config, engines);
+/// What the threads share; it outlives the participant, which is made anew when this process was held up.
+struct Shared {
+  explicit Shared(const MonitorConfig& config) : input(notices, config.input_deadline_s, config.input_lease_s) {}
   NoticeBoard notices;
-  InputWatch input(notices, config.input_deadline_s, config.input_lease_s);
-  auto options = watched_participant(config, notices, input);
+  InputWatch input;
+  StatusBoard board;
+  std::unique_ptr<ReportQueue> reports = std::make_unique<ReportQueue>();
+  TableExchange exchange;
+  service::TurnCounter cycle_turns, reporter_turns;
+};
+
+/// Takes part in DDS with all that hangs on a participant, from `entered` on until a stop is requested (0 is returned) or
+/// others may have dropped us (the seconds that we were held up). `engines` is the table that flies, before and after.
+double take_part(const MonitorConfig& config, EngineTable*& engines, Shared& shared, const CycleLinks& links,
+                 const service::StopSignal& stop, const std::function<void(const RealtimeThread&)>& entered) {
+  auto options = watched_participant(config, shared.notices, shared.input);
   auto incidents = service::hear_incidents(options);
   wire::Participant participant = [&] {
     const MiddlewarePolicy inherited(config.realtime);
     return wire::Participant(std::move(options));
   }();
-  auto reports = std::make_unique<ReportQueue>();
-  const auto source_id = static_cast<std::uint32_t>(config.source_id);
-  StatusBoard board;
-  Reporter reporter(participant, source_id, *reports, notices, input, board);
+  Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *shared.reports, shared.notices,
+                    shared.input, shared.board, shared.reporter_turns);
   std::optional<service::SecurityWatch> security;
   if (!config.security.empty())
     security.emplace(participant, std::move(incidents), [&](const auto& text, auto times) {
-      notices.post({wire::EventKind::security, true, service::incident_text(text, times)});
+      shared.notices.post({wire::EventKind::security, true, service::incident_text(text, times)});
     });
+  CycleThread cycle(participant, config, *engines, links);
+  const RealtimeThread realtime(config.realtime);
+  entered(realtime);
+  double held_up_s = 0.0;
+  while (!stop.requested() && (held_up_s = participant.held_up_s()) == 0.0) cycle.run_once();
+  if (held_up_s == 0.0) {
+    service::notify_stopping();
+    cycle.stop();
+  }
+  engines = &cycle.engines();
+  return held_up_s;
+}
+
+}  // namespace
+
+void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table, const ReloadSource& source) {
+  EngineTable* engines = table.get();  // at start; the reloader owns it, and those that come after it
+  const service::StopSignal stop;
+  std::optional<Recorder> recorder;
+  if (!config.record.file.empty()) recorder.emplace(config, *engines);
+  Shared shared(config);
   std::optional<Checkpoints> checkpoints;
-  if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, engines, reporter);
-  TableExchange exchange;
+  if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, *engines, shared.notices);
   const auto know = [&](const EngineTable& next) {
     if (recorder) recorder->know(next);
   };
-  const Reloader reloader(source, std::move(table), exchange, notices, {know, [&] { reporter.await_reported(); }});
-  CycleThread cycle(participant, config, engines, *reports, checkpoints ? &checkpoints->keeper : nullptr,
-                    recorder ? &recorder->feed() : nullptr, exchange);
-  spdlog::info("monitor {} listens on domain {}, {}, filters for {} engines are ready", config.source_id, config.domain,
-               service::security_text(config.security), engines.size());
-  const MetricsEndpoint metrics(config.metrics_listen, source_id, board, {cycle.turns(), reporter.turns()});
-  const service::Watchdog watchdog(cycle.turns(), "cycle");
-  for (const std::string& warning : set_up_realtime(config.realtime)) spdlog::warn("{}", warning);
-  service::notify_ready();
-  while (!stop.requested()) cycle.run_once();
-  service::notify_stopping();
-  cycle.stop();
+  const Reloader reloader(source, std::move(table), shared.exchange, shared.notices,
+                          {know, [&] { Reporter::await_reported(shared.reporter_turns); }});
+  const MetricsEndpoint metrics(config.metrics_listen, static_cast<std::uint32_t>(config.source_id), shared.board,
+                                {shared.cycle_turns, shared.reporter_turns});
+  const service::Watchdog watchdog(shared.cycle_turns, "cycle");
+  const CycleLinks links{*shared.reports,
+                         checkpoints ? &checkpoints->keeper : nullptr,
+                         recorder ? &recorder->feed() : nullptr,
+                         shared.exchange,
+                         shared.cycle_turns,
+                         monotonic_ns()};
+  double held_up_s = take_part(config, engines, shared, links, stop, [&](const RealtimeThread& realtime) {
+    spdlog::info("monitor {} listens on domain {}, {}, filters for {} engines are ready", config.source_id,
+                 config.domain, service::security_text(config.security), engines->size());
+    for (const std::string& warning : realtime.warnings()) spdlog::warn("{}", warning);
+    service::notify_ready();
+  });
+  while (held_up_s > 0.0) {
+    shared.notices.post({wire::EventKind::held_up, true,
+                         fmt::format("held up for {:.1f} s (stopped, or the machine suspended): other participants "
+                                     "have dropped us, joining DDS anew",
+                                     held_up_s),
+                         0, held_up_s, 0.0});
+    held_up_s = take_part(config, engines, shared, links, stop, [&](const RealtimeThread&) {
+      shared.notices.post({wire::EventKind::held_up, false, "has joined DDS anew", 0, 0.0, 0.0});
+    });
+  }
   spdlog::info("stopped in order");
 }
 

@@ -9,6 +9,7 @@
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <optional>
 
 #include "deploy/config/man_page.h"
@@ -34,17 +35,30 @@ struct Options {
   std::string csv;
 };
 
+wire::ParticipantOptions participant_options(const Options& options) {
+  wire::ParticipantOptions participant;
+  participant.domain = options.domain;
+  participant.name = "ehm_watch";
+  participant.partition = options.partition;
+  participant.redundancy.exclusive = options.redundant;
+  participant.security = options.security;
+  participant.on_incompatible = [](const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
+  participant.on_unreadable = [](bool, const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
+  return participant;
+}
+
 /// One reader a topic, all emptied into the data.
 class Ears {
  public:
-  Ears(wire::Participant& participant, const Options& options)
+  explicit Ears(const Options& options)
       : engine_(options.engine),
-        truth_(participant),
-        health_(participant),
-        auxiliary_(participant),
-        descriptions_(participant),
-        status_(participant),
-        events_(participant) {
+        participant_(participant_options(options)),
+        truth_(participant_),
+        health_(participant_),
+        auxiliary_(participant_),
+        descriptions_(participant_),
+        status_(participant_),
+        events_(participant_) {
     wait_set_.attach_condition(health_.condition());
   }
   /// `on_estimate` is called after every health estimate; the auxiliary one of the same sample is mostly there by then.
@@ -57,6 +71,8 @@ class Ears {
     take(status_, data);
     take(events_, data);
   }
+  /// Nobody sends to us any more: stopped (Ctrl-Z) or suspended for so long that we were dropped.
+  bool deaf() { return participant_.held_up_s() > 0.0; }
 
  private:
   template <class T>
@@ -69,6 +85,7 @@ class Ears {
     }
   }
   std::uint32_t engine_;
+  wire::Participant participant_;
   wire::Reader<EngineTruth> truth_;
   wire::Reader<EngineHealth> health_;
   wire::Reader<EngineAuxiliary> auxiliary_;
@@ -89,7 +106,8 @@ bool over(const demo::WatchData& data, const Options& options) {
          data.received() > 0 && data.status()->level() >= static_cast<std::uint32_t>(wire::StatusLevel::stale);
 }
 
-void watch(Ears& ears, demo::WatchData& data, const Options& options) {
+void watch(demo::WatchData& data, const Options& options) {
+  auto ears = std::make_unique<Ears>(options);
   const service::StopSignal stop;
   const bool terminal = isatty(STDOUT_FILENO) && !options.json;
   const auto period = std::chrono::milliseconds(terminal ? 200 : 1000);
@@ -103,7 +121,11 @@ void watch(Ears& ears, demo::WatchData& data, const Options& options) {
   if (terminal) std::cout << "\033[2J";
   while (!stop.requested() && !over(data, options)) {
     if (options.seconds > 0.0 && Clock::now() > deadline) return;
-    ears.listen(data, 0.05, on_estimate);
+    if (ears->deaf()) {
+      ears.reset();
+      ears = std::make_unique<Ears>(options);
+    }
+    ears->listen(data, 0.05, on_estimate);
     if (Clock::now() < next || options.json) continue;
     next = Clock::now() + period;
     if (terminal || data.estimates() > 0) std::cout << (terminal ? demo::table(data) : demo::line(data)) << std::flush;
@@ -154,20 +176,8 @@ int main(int argc, char** argv) {
   }
 
   try {
-    wire::ParticipantOptions participant_options;
-    participant_options.domain = options.domain;
-    participant_options.name = "ehm_watch";
-    participant_options.partition = options.partition;
-    participant_options.redundancy.exclusive = options.redundant;
-    participant_options.security = options.security;
-    participant_options.on_incompatible = [](const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
-    participant_options.on_unreadable = [](bool, const std::string& what) {
-      std::cerr << "ehm_watch: " << what << '\n';
-    };
-    wire::Participant participant(participant_options);
-    Ears ears(participant, options);
     demo::WatchData data;
-    watch(ears, data, options);
+    watch(data, options);
     std::cout << (options.json ? demo::json(data) : demo::summary(data));
     if (options.seconds <= 0.0) return service::exit_ok;
     const std::string verdict = over(data, options) ? demo::verdict(data, 3.0) : "the flight did not come to its end";

@@ -25,6 +25,7 @@ class WatchedParticipant {
                         [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); });
   }
   operator wire::Participant&() { return *participant_; }
+  double held_up_s() noexcept { return participant_->held_up_s(); }
 
  private:
   static wire::ParticipantOptions options(const SimConfig& config, const std::string& name) {

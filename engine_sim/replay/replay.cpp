@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "deploy/service/notify.h"
 #include "deploy/service/watchdog.h"
@@ -33,37 +34,34 @@ std::int64_t clock_ns(clockid_t clock) {
 
 /// Sleeps to `due_ns` of the monotonic clock; a stop signal ends it early. In slices, so that a recorded pause does not
 /// look like a replay that hangs.
-void sleep_until(std::int64_t due_ns, const service::StopSignal& stop, service::TurnCounter& turns) {
+/// Calls `turn` at least five times a second.
+template <class Turn>
+void sleep_until(std::int64_t due_ns, const service::StopSignal& stop, Turn turn) {
   constexpr std::int64_t slice_ns = 200'000'000;
   for (std::int64_t now_ns = clock_ns(CLOCK_MONOTONIC); now_ns < due_ns && !stop.requested();
        now_ns = clock_ns(CLOCK_MONOTONIC)) {
     const std::int64_t until_ns = std::min(due_ns, now_ns + slice_ns);
     const timespec until{until_ns / 1'000'000'000, until_ns % 1'000'000'000};
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
-    turns.turned();
+    turn();
   }
 }
 
 class Replay {
  public:
   Replay(const SimConfig& config, recording::RowSource& rows)
-      : rows_(rows),
-        rate_(config.rate_factor()),
-        stamps_now_(config.replay.stamps == "now"),
-        participant_(config, "engine_sim replay"),
-        sensors_(participant_),
-        descriptions_(participant_) {
-    if (rate_ == 0.0) answers_.emplace(participant_, static_cast<std::size_t>(config.lockstep_window));
+      : config_(config), rows_(rows), rate_(config.rate_factor()), stamps_now_(config.replay.stamps == "now") {
+    ends_.emplace(config_);
   }
 
   const service::TurnCounter& turns() const { return turns_; }
   void wait(std::int64_t wanted, const service::StopSignal& stop) {
-    if (answers_) wanted = std::max<std::int64_t>(wanted, 1);
+    if (ends_->answers) wanted = std::max<std::int64_t>(wanted, 1);
     wait_for_readers(
         wanted,
         [&] {
-          turns_.turned();
-          return sensors_.matched() >= wanted && (!answers_ || answers_->monitors() > 0);
+          turn(stop);
+          return ends_->sensors.matched() >= wanted && (!ends_->answers || ends_->answers->monitors() > 0);
         },
         stop);
   }
@@ -74,45 +72,83 @@ class Replay {
     while (!stop.requested() && rows_.next(row))
       if (row.kind() == RowKind::sample) send(row, stop);
     service::notify_stopping();
-    if (!sensors_.drain(1.0)) spdlog::warn("not every reader has acknowledged the last samples");
+    if (!ends_->sensors.drain(1.0)) spdlog::warn("not every reader has acknowledged the last samples");
     spdlog::info("{} samples of {} engine(s) published, {} refused by the middleware", sent_, described_.size(),
                  refused_);
-    if (answers_ && answers_->unanswered() > 0)
-      spdlog::warn("{} samples were not answered: does the monitor serve these engines?", answers_->unanswered());
+    if (const std::uint64_t unanswered = unanswered_ + ends_->unanswered(); unanswered > 0)
+      spdlog::warn("{} samples were not answered: does the monitor serve these engines?", unanswered);
   }
 
  private:
+  /// Its place in DDS, made anew when the process was held up for so long that others have dropped it.
+  struct Ends {
+    explicit Ends(const SimConfig& config)
+        : participant(config, "engine_sim replay"), sensors(participant), descriptions(participant) {
+      if (config.rate_factor() == 0.0) answers.emplace(participant, static_cast<std::size_t>(config.lockstep_window));
+    }
+    std::uint64_t unanswered() const { return answers ? answers->unanswered() : 0; }
+    WatchedParticipant participant;
+    wire::Writer<EngineSensors> sensors;
+    wire::Writer<EngineDescription> descriptions;
+    std::optional<ReplayAnswers> answers;
+  };
+
+  /// To be called at least once a second.
+  void turn(const service::StopSignal& stop) {
+    turns_.turned();
+    const double held_up_s = ends_->participant.held_up_s();
+    if (held_up_s == 0.0) return;
+    const auto join = [this] {
+      unanswered_ += ends_->unanswered();
+      described_.clear();
+      ends_.reset();
+      ends_.emplace(config_);
+    };
+    join_anew(
+        held_up_s, [this] { return ends_->sensors.matched(); }, join, stop);
+    late_ = true;
+  }
+  /// In real time until the row is due; after a hold from now on, not what was missed in one burst.
+  void await(std::int64_t due_ns, const service::StopSignal& stop) {
+    turn(stop);
+    const auto since_start_ns = static_cast<std::int64_t>(static_cast<double>(due_ns) / rate_);
+    sleep_until(start_ns_ + since_start_ns, stop, [&] { turn(stop); });
+    if (std::exchange(late_, false)) start_ns_ = clock_ns(CLOCK_MONOTONIC) - since_start_ns;
+  }
   void send(const Row& row, const service::StopSignal& stop) {
     const auto engine_id = static_cast<std::uint32_t>(row.a.unit);
-    if (described_.insert(engine_id).second)
-      descriptions_.write(description_of(engine_id, static_cast<std::uint32_t>(row.a.source_id), rows_.info()));
     if (sent_ == 0 && stamps_now_) shift_ns_ = clock_ns(CLOCK_REALTIME) - row.a.source_time_ns;
     const std::int64_t due_ns = timeline_.due_ns(row);
-    if (!answers_) {
-      sleep_until(start_ns_ + static_cast<std::int64_t>(static_cast<double>(due_ns) / rate_), stop, turns_);
-    } else if (!answers_->admit(answer_limit)) {
-      throw std::runtime_error(
-          "rate max: no monitor has answered for 10 s (EngineResiduals); start a monitor on this domain and partition");
+    if (!ends_->answers) {
+      await(due_ns, stop);
+    } else {
+      turn(stop);
+      if (!ends_->answers->admit(answer_limit))
+        throw std::runtime_error(
+            "rate max: no monitor has answered for 10 s (EngineResiduals); start a monitor on "
+            "this domain and partition");
     }
     if (stop.requested()) return;
-    refused_ += sensors_.write(message_of(row, rows_.info().channels, shift_ns_)) ? 0u : 1u;
+    if (described_.insert(engine_id).second)
+      ends_->descriptions.write(description_of(engine_id, static_cast<std::uint32_t>(row.a.source_id), rows_.info()));
+    refused_ += ends_->sensors.write(message_of(row, rows_.info().channels, shift_ns_)) ? 0u : 1u;
     ++sent_;
     turns_.turned();
-    if (answers_ && row.a.accepted != 0) answers_->sent(engine_id, static_cast<std::uint64_t>(row.a.sequence));
+    if (ends_->answers && row.a.accepted != 0)
+      ends_->answers->sent(engine_id, static_cast<std::uint64_t>(row.a.sequence));
   }
 
+  const SimConfig& config_;
   recording::RowSource& rows_;
   double rate_;
   bool stamps_now_;
-  WatchedParticipant participant_;
-  wire::Writer<EngineSensors> sensors_;
-  wire::Writer<EngineDescription> descriptions_;
-  std::optional<ReplayAnswers> answers_;
+  std::optional<Ends> ends_;
   ReplayTimeline timeline_;
   std::set<std::uint32_t> described_;
   service::TurnCounter turns_;
   std::int64_t start_ns_ = 0, shift_ns_ = 0;
-  std::uint64_t sent_ = 0, refused_ = 0;
+  std::uint64_t sent_ = 0, refused_ = 0, unanswered_ = 0;  ///< unanswered: by those who were there before a hold
+  bool late_ = false;                                      ///< a hold has cost time
 };
 
 }  // namespace

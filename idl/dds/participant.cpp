@@ -7,6 +7,7 @@
 #include <array>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include "idl/dds/discovery_listener.h"
@@ -66,6 +67,16 @@ dds::DomainParticipant* make_participant(const ParticipantOptions& options, Disc
   return made;
 }
 
+/// How long we may be held up: the last announcement may be as old as a period, and the others' patience is the lease.
+double longest_hold_s(const dds::DomainParticipantQos& qos) {
+  constexpr double on_the_way_s = 0.1;
+  const auto& discovery = qos.wire_protocol().builtin.discovery_config;
+  if (discovery.leaseDuration == eprosima::fastrtps::c_TimeInfinite) return std::numeric_limits<double>::infinity();
+  const double lease_s = 1e-9 * static_cast<double>(discovery.leaseDuration.to_ns());
+  const double period_s = 1e-9 * static_cast<double>(discovery.leaseDuration_announcementperiod.to_ns());
+  return std::max(lease_s - period_s - on_the_way_s, 0.5 * lease_s);
+}
+
 }  // namespace
 
 Participant::Participant(ParticipantOptions options) : options_(std::move(options)) {
@@ -80,6 +91,7 @@ Participant::Participant(ParticipantOptions options) : options_(std::move(option
   subscriber_ = participant_->create_subscriber(subscriber_qos);
   if (!publisher_ || !subscriber_)
     throw DdsError("no DDS publisher or subscriber in partition '" + options_.partition + "'");
+  hold_watch_.emplace(longest_hold_s(participant_->get_qos()));
 }
 
 void Participant::create() {

@@ -19,9 +19,11 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "idl/dds/dds_error.h"
+#include "idl/dds/hold_watch.h"
 #include "idl/dds/middleware_log.h"
 #include "idl/dds/qos.h"
 #include "idl/dds/unreadable_peers.h"
@@ -78,6 +80,10 @@ class Participant {
   DdsError refused(const char* side, const char* topic) const;
   /// Call it about once a second where on_stranger is given.
   void tell_overdue_strangers();
+  /// Call it at least once a second, from one thread. Not 0, but the length of the hold in seconds, when this process was
+  /// held up for so long that others may have dropped the participant: nothing reaches them any more (hold_watch.h),
+  /// it has to be made anew with all its endpoints. Real-time safe: yes.
+  double held_up_s() noexcept { return hold_watch_->held_up_s(); }
   UnreadablePeers& unreadable() { return *unreadable_; }
   void report_incompatible(const std::string& topic, const char* side, std::uint32_t policy) const;
 
@@ -91,6 +97,7 @@ class Participant {
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
+  std::optional<HoldWatch> hold_watch_;
 };
 
 }  // namespace ehm::wire

@@ -19,7 +19,7 @@ struct Redundancy {
   std::uint32_t strength = 1;  ///< of this monitor; the higher wins
 };
 
-inline constexpr int stream_depth = 256;           ///< samples kept a key: 3.8 s at 15 ms
+inline constexpr int stream_depth = 256;  ///< samples kept a key: 3.8 s at 15 ms
 /// Of readers of EngineSensors. All writers of an engine share one history: a burst of another one's messages, whether
 /// they can be read or not, pushes the source's samples out of it while the cycle is held up. 31 s at 15 ms.
 inline constexpr int input_depth = 2048;

@@ -242,6 +242,7 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
     case wire::EventKind::incompatible_qos:
     case wire::EventKind::security:
     case wire::EventKind::unreadable_peer:
+    case wire::EventKind::held_up:
     case wire::EventKind::source_channels:
       break;  // their messages are made where they happen, off the cycle
   }

@@ -40,7 +40,7 @@ struct LinearModel {
   /// m each, or empty where no sensor states it; 0 where one does not. Step of the values in channel units, and time
   /// between two values.
   Eigen::VectorXd sensor_resolution, sensor_update_period_s;
-  Eigen::MatrixXd process_noise;       ///< n x n
+  Eigen::MatrixXd process_noise;  ///< n x n
   Eigen::MatrixXd A, B, L, C, D, M, F, G, N;
   /// What the real engine's [y; z] adds to the linear one's in steady state: second moment over the fleet, (m+r) x
   /// (m+r), channel units. Empty where the engine is linear or nobody has measured it. It acts like a constant sensor

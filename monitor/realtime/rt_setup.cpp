@@ -82,19 +82,24 @@ std::vector<int> parse_cpu_list(const std::string& text) {
   return cpus;
 }
 
-std::vector<std::string> set_up_realtime(const RealtimeOptions& options) {
-  std::vector<std::string> warnings;
-  set_cpus(options, warnings);
+RealtimeThread::RealtimeThread(const RealtimeOptions& options) {
+  sched_getaffinity(0, sizeof(cpus_), &cpus_);
+  set_cpus(options, warnings_);
   if (options.prefault_stack_kb > 0) prefault_stack(options.prefault_stack_kb);
-  if (options.lock_memory) lock_memory(warnings);
-  if (options.policy == "fifo" && !set_policy(SCHED_FIFO | SCHED_RESET_ON_FORK, options.priority))
-    warnings.push_back(refused(
+  if (options.lock_memory) lock_memory(warnings_);
+  fifo_ = options.policy == "fifo" && set_policy(SCHED_FIFO | SCHED_RESET_ON_FORK, options.priority);
+  if (options.policy == "fifo" && !fifo_)
+    warnings_.push_back(refused(
         "realtime.policy = fifo with priority " + std::to_string(options.priority),
         "the cycle runs with normal priority",
         "raise the limit (systemd: LimitRTPRIO=" + std::to_string(options.priority) +
             "; shell: ulimit -r) or grant the capability (setcap cap_sys_nice+ep monitor); in a container, the host "
             "must grant it"));
-  return warnings;
+}
+
+RealtimeThread::~RealtimeThread() {
+  if (fifo_) set_policy(SCHED_OTHER, 0);
+  if (CPU_COUNT(&cpus_) > 0) sched_setaffinity(0, sizeof(cpus_), &cpus_);
 }
 
 MiddlewarePolicy::MiddlewarePolicy(const RealtimeOptions& options) {

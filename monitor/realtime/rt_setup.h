@@ -5,6 +5,8 @@
 // Nothing of this is needed to run. Where the system refuses, the answer is a warning with the remedy, and the service
 // goes on as a normal process does.
 
+#include <sched.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,9 +26,22 @@ struct RealtimeOptions {
 /// is allowed).
 std::vector<int> parse_cpu_list(const std::string& text);
 
-/// Sets the calling thread up, and the memory of the process; call it last before the loop, since threads that are made
-/// later must not inherit it. @returns one warning with its remedy for each wish that was refused.
-std::vector<std::string> set_up_realtime(const RealtimeOptions& options);
+/// While it lives the calling thread is set up as asked for, and the memory of the process from then on. Make it last
+/// before the loop: threads that are made meanwhile inherit the processors.
+class RealtimeThread {
+ public:
+  explicit RealtimeThread(const RealtimeOptions& options);
+  ~RealtimeThread();
+  RealtimeThread(const RealtimeThread&) = delete;
+  RealtimeThread& operator=(const RealtimeThread&) = delete;
+  /// One with its remedy for each wish that was refused.
+  const std::vector<std::string>& warnings() const noexcept { return warnings_; }
+
+ private:
+  cpu_set_t cpus_{};  ///< before
+  bool fifo_ = false;
+  std::vector<std::string> warnings_;
+};
 
 /// While it lives, threads that the caller makes inherit the policy: DDS offers no other way to its own. Does nothing
 /// without middleware_threads, and where the system refuses; set_up_realtime says so then.

@@ -30,6 +30,9 @@ class Listener {
   std::vector<MonitorStatus> status;
   std::vector<HealthEvent> events;
 
+  int sources() const { return sensors_.matched(); }  ///< writers of EngineSensors that are known at present
+  int monitors() const { return health_.matched(); }
+
   bool has_event(wire::EventKind kind, bool raised) const { return find_event(kind, raised) != nullptr; }
   const HealthEvent* find_event(wire::EventKind kind, bool raised) const;
 
