@@ -305,7 +305,7 @@ void CycleThread::exchange_table() {
   EngineTable* next = exchange_.next.exchange(nullptr, std::memory_order_acquire);
   if (!next) return;
   next->take_over(*engines_, [&](EngineSlot& old, EngineSlot& now) {
-    old.cycle.reset(RestartReason::other_design);  // clears what it had raised, and says that the filter starts anew
+    old.cycle.retire();
     report_events(old);
     reports_.push({Report::Kind::new_engine, now.engine_id, &now.cycle.design(), {}, 0, 0, {}, {}});
     if (records_) records_->marker(now, recording::RowKind::resumed);

@@ -159,6 +159,17 @@ void MonitorCycle::reset(RestartReason reason) noexcept {
   sample_check_.reset();
 }
 
+void MonitorCycle::retire() noexcept {
+  reset(RestartReason::other_design);
+  sample_time_.end_with_design(events_);
+  validity_.end_with_design(events_);
+  limits_.end_with_design(events_);
+  second_source_.end(events_);
+  for (std::size_t i = 0; i < slow_sensor_.size(); ++i)
+    slow_sensor_[i].end_with_design(wire::EventKind::slow_sensor, static_cast<std::uint32_t>(i), events_);
+  input_lost_.end_with_design(wire::EventKind::input_lost, 0, events_);
+}
+
 void MonitorCycle::check_sensors(const Sample& sample, int steps) noexcept {
   for (int i = 0; i < sensors_; ++i) {
     const auto s = static_cast<std::size_t>(i);

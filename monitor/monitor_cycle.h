@@ -86,6 +86,8 @@ class MonitorCycle {
   bool no_input(double age_s) noexcept;
   /// Cold start of the filter, by an operator's order, or since another design takes over. Real-time safe: yes.
   void reset(RestartReason reason = RestartReason::command) noexcept;
+  /// Another cycle takes over with another design: ends every condition that this one has raised. Real-time safe: yes.
+  void retire() noexcept;
 
   /// What a successor needs to go on from here. False, and nothing written, without an honest estimate. Real-time safe:
   /// yes.

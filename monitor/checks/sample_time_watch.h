@@ -47,6 +47,9 @@ class SampleTimeWatch {
     }
     return !condition_.raised();
   }
+  void end_with_design(EventList& events) noexcept {
+    condition_.end_with_design(wire::EventKind::sample_time, 0, events);
+  }
 
  private:
   static constexpr std::int64_t block = 64, least_moves = 20, too_long = 8192;

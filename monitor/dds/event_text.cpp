@@ -162,6 +162,7 @@ std::string channel_name(const Event& event, const estimation::LinearModel& mode
 
 std::string event_text(const Event& e, const estimation::LinearModel& model) {
   const auto* c = channel_of(e, model);
+  if (!e.raised && e.detail == Event::design_exchanged) return "ended: another design, or other options, fly";
   switch (e.kind) {
     case wire::EventKind::sensor_fault:
       return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, sensor_fault(e, model))

@@ -16,6 +16,9 @@ struct Event {
   bool raised = false;
   double value = 0.0;
   double threshold = 0.0;
+  /// Detail of an event that ends a condition because another design flies from now on.
+  static constexpr std::uint32_t design_exchanged = 0x8000'0000u;
+
   std::uint32_t detail = 0;  ///< sensor_fault: wire::reject_reason bits; condition_fault: 0 moved, 1 lost
   double age_s = 0.0;        ///< how long before this sample it began; 0 where nobody knows
 };
@@ -55,6 +58,10 @@ class Condition {
     raised_ = now;
     event.raised = now;
     events.push(event);
+  }
+  /// Ends it with the design that it is of.
+  void end_with_design(wire::EventKind kind, std::uint32_t channel, EventList& events) noexcept {
+    set(false, {kind, channel, false, 0.0, 0.0, Event::design_exchanged}, events);
   }
 
  private:

@@ -19,6 +19,9 @@ class LimitWatch {
   /// Real-time safe: yes.
   void judge(const estimation::HealthVector& health, const estimation::AuxiliaryVector& auxiliary,
              EventList& events) noexcept;
+  void end_with_design(EventList& events) noexcept {
+    for (Limit& l : limits_) l.condition.end_with_design(l.kind, static_cast<std::uint32_t>(l.channel), events);
+  }
 
  private:
   struct Limit {

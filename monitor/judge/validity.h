@@ -30,6 +30,9 @@ class Validity {
                    {wire::EventKind::operating_point, 0, false, distance, 1.0, 0}, events);
     return !condition_.raised();
   }
+  void end_with_design(EventList& events) noexcept {
+    condition_.end_with_design(wire::EventKind::operating_point, 0, events);
+  }
 
  private:
   double distance_of(const Sample& s) const noexcept {

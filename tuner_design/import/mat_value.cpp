@@ -161,7 +161,8 @@ std::string cell_text(const matvar_t* cell, const std::string& place) {
   if (cell == nullptr) refuse_damaged(place);
   if (cell->class_type == MAT_C_EMPTY || (cell->class_type == MAT_C_DOUBLE && cell->nbytes == 0)) return "";
   if (cell->class_type != MAT_C_CHAR)
-    throw FileError(place + " is " + class_name(cell->class_type) + "; allowed: a text. Write it in quotes ''.");
+    throw FileError(place + " is " + class_name(cell->class_type) +
+                    "; allowed: a text. Write it in quotes '', or take convertStringsToChars() of the cell array.");
   const std::vector<std::string> rows = char_rows(*cell, place);
   if (rows.size() == 1) return rows.front();
   throw FileError(place + " is " + std::to_string(rows.size()) + " texts; allowed: one in a cell.");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "idl/wire_names.h"
 #include "idl/wire_values.h"
 #include "tests/unit/monitor/cycle/flight.h"
 
@@ -32,10 +33,13 @@ class MonitorCycleTest : public testing::Test {
       Sample s = flight_->next();
       spoil(s);
       cycle_.process(s);
-      for (const Event& e : cycle_.events()) events_.push_back(e);
-      cycle_.clear_events();
+      take_events();
     }
     return cycle_.result();
+  }
+  void take_events() {
+    for (const Event& e : cycle_.events()) events_.push_back(e);
+    cycle_.clear_events();
   }
   const CycleResult& fly(int samples) {
     return fly(samples, [](Sample&) {});
@@ -158,6 +162,25 @@ TEST_F(MonitorCycleTest, OffDesignEstimatesAreWithheld) {
   fly(1);
   EXPECT_TRUE(cycle_.result().estimates);
   EXPECT_EQ(count(wire::EventKind::operating_point, false), 1);
+}
+
+TEST_F(MonitorCycleTest, RetiringEndsEveryConditionThatIsRaised) {
+  fly(settle);
+  const double trim = design_->model.controls[0].trim;
+  fly(50, [](Sample& s) { s.sensor_valid &= ~0b110u; });    // too few sensors
+  fly(10, [&](Sample& s) { s.actuator[0] = 1.2 * trim; });  // beyond the operating point
+  cycle_.no_input(1.0);
+  take_events();
+  for (const auto kind : {wire::EventKind::operating_point, wire::EventKind::no_design, wire::EventKind::input_lost,
+                          wire::EventKind::sensor_fault})
+    EXPECT_GT(count(kind, true), count(kind, false)) << static_cast<int>(kind);
+  cycle_.retire();
+  take_events();
+  for (std::uint32_t kind = 1; kind < wire::event_kind_names.size(); ++kind) {
+    const auto k = static_cast<wire::EventKind>(kind);
+    if (k == wire::EventKind::filter_restart) continue;  // not a condition
+    EXPECT_EQ(count(k, true), count(k, false)) << wire::event_kind_names[kind];
+  }
 }
 
 TEST_F(MonitorCycleTest, LostSamplesAreCountedAndPredictedOver) {
