@@ -1,7 +1,6 @@
 // engine_sim: arguments -> scenario -> simulation -> DDS, one sample each period -> exit code;
 // engine_sim COMMAND: an offline command instead (commands.h).
 
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <iostream>
@@ -12,6 +11,9 @@
 #include "deploy/config/schema.h"
 #include "deploy/files/file_error.h"
 #include "deploy/service/exit_code.h"
+#include "deploy/service/ignored_signals.h"
+#include "deploy/service/log.h"
+#include "deploy/service/stop_deadline.h"
 #include "deploy/service/stop_signal.h"
 #include "engine_sim/commands.h"
 #include "engine_sim/replay/replay.h"
@@ -32,7 +34,9 @@ int replay(const engine::SimConfig& config, bool check_only) {
       return service::exit_ok;
     }
     const service::StopSignal stop;
+    const service::StopDeadline deadline;
     engine::run_replay(config, *rows, stop);
+    service::StopDeadline::in_order();
     return service::exit_ok;
   } catch (const files::FileError& e) {
     std::cerr << "engine_sim: " << e.what() << '\n';
@@ -50,7 +54,8 @@ int replay(const engine::SimConfig& config, bool check_only) {
 
 int main(int argc, char** argv) {
   if (const auto code = engine::run_command(argc, argv, std::cout, std::cerr)) return *code;
-  spdlog::set_default_logger(spdlog::stderr_color_mt("engine_sim"));
+  service::ignore_fatal_signals();
+  service::start_log("engine_sim");
 
   engine::SimConfig config;
   config::Schema schema;
@@ -90,7 +95,9 @@ int main(int argc, char** argv) {
 
   try {
     const service::StopSignal stop;
+    const service::StopDeadline deadline;
     engine::run(config, *simulation, stop);
+    service::StopDeadline::in_order();
     return service::exit_ok;
   } catch (const std::exception& e) {
     std::cerr << "engine_sim: " << e.what() << '\n';

@@ -95,18 +95,33 @@ ControlledSample Simulation::step(const ProfilePoint& now, const HealthVector& h
   }
 }
 
-bool Simulation::can_fly(const FlightCondition& flight) const {
+template <class Flight, class Health>
+bool Simulation::survives(double seconds, Flight flight, Health health_at) const {
   try {
     ControlledEngine trial = engine_;
     FanSpeedDemand fan_speed = fan_speed_;
     const double n1_rpm = fan_speed.n1_rpm(profile_.at(time_s()).demand, flight);
-    for (double flown_s = 0.0; flown_s < 1.0; flown_s += scenario_.sample_time_s) {
-      trial.step({flight, health(), scenario_.offtake}, n1_rpm, scenario_.sample_time_s);
-    }
+    for (double flown_s = 0.0; flown_s < seconds; flown_s += scenario_.sample_time_s)
+      trial.step({flight, health_at(flown_s), scenario_.offtake}, n1_rpm, scenario_.sample_time_s);
     return true;
   } catch (const std::exception&) {
     return false;
   }
+}
+
+bool Simulation::can_fly(const FlightCondition& flight) const {
+  return survives(1.0, flight, [now = health()](double) { return now; });
+}
+
+bool Simulation::can_wear(std::size_t parameter, double target, double ramp_s) const {
+  const HealthVector now = health();
+  const double trial_ramp_s = std::min(ramp_s, 1.0);
+  return survives(3.0, profile_.at(time_s()).flight, [&](double flown_s) {
+    HealthVector h = now;
+    const double share = trial_ramp_s > 0.0 ? std::min(1.0, flown_s / trial_ramp_s) : 1.0;
+    h[parameter] += share * (target - now[parameter]);
+    return h;
+  });
 }
 
 }  // namespace ehm::engine

@@ -58,10 +58,15 @@ class Simulation {
   }
   /// Does the engine go on running for a second, if the flight condition jumps there now?
   bool can_fly(const FlightCondition& flight) const;
+  /// Does it go on running for three seconds, if a health parameter moves there within ramp_s (a second at most here)?
+  bool can_wear(std::size_t parameter, double target, double ramp_s) const;
   HealthVector health() const { return deterioration_.at(time_s()); }
   void inject(std::size_t sensor, const SensorFault& fault) { sensors_.inject(sensor, fault); }
 
  private:
+  /// Flies a copy on for so long, under the flight condition and with the health of each moment from now.
+  template <class Flight, class Health>
+  bool survives(double seconds, Flight flight, Health health_at) const;
   ControlledSample step(const ProfilePoint& now, const HealthVector& health);
 
   Scenario scenario_;

@@ -78,7 +78,7 @@ void declare_recording(Schema& schema, MonitorConfig& m) {
       "records every sample and its estimates there (HDF5); an existing file is kept, the next free number taken");
   schema.alias("record.file", "--record");
   schema.integer("record.max_mb", m.record.max_mb, 1, 1000000, "MB", "a larger recording goes on in another file");
-  schema.integer("record.max_files", m.record.max_files, 1, 9999, "files",
+  schema.integer("record.max_files", m.record.max_files, 2, 9999, "files",
                  "the oldest ones beyond so many are removed");
   schema.text("offline.file", m.offline.file,
               "a recording or CSV file to estimate from without DDS, instead of serving");

@@ -23,6 +23,7 @@ constexpr int most_statuses_a_watch = 16;  // a thousand engines' are spread ove
 // a source that says nothing at all for so long is lost all the same.
 constexpr double source_silence_s = 2.0;
 constexpr std::int64_t malformed_period_ns = 1'000'000'000;
+constexpr double release_drain_s = 0.1;                    // a reader that does not answer is waited for once
 constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that must be over within a second
 }  // namespace
 
@@ -356,6 +357,9 @@ void CycleThread::stop() {
   engines_->for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
   const std::int64_t limit_ns = monotonic_ns() + last_checkpoints_ns;
   if (checkpoints_) engines_->for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });
+  // A writer that is deleted takes along what its readers have not got yet, the end of the estimates among it.
+  static_cast<void>(health_.drain(release_drain_s) && auxiliary_.drain(release_drain_s) &&
+                    residuals_.drain(release_drain_s));
 }
 
 }  // namespace ehm::monitor

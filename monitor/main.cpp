@@ -1,14 +1,17 @@
 // monitor: arguments -> config -> loop -> exit code; with --listen a wiring check instead of the loop.
 
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <iostream>
 
 #include "deploy/config/command_line.h"
 #include "deploy/config/schema.h"
+#include "deploy/files/atomic_file.h"
 #include "deploy/files/file_error.h"
 #include "deploy/service/exit_code.h"
+#include "deploy/service/ignored_signals.h"
+#include "deploy/service/log.h"
+#include "deploy/service/reload_signal.h"
 #include "idl/dds/security.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/config.h"
@@ -39,7 +42,9 @@ ehm::monitor::LoadedConfig read_again(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace ehm;
-  spdlog::set_default_logger(spdlog::stderr_color_mt("monitor"));
+  service::ignore_fatal_signals();
+  const service::ReloadSignal early;  // a SIGHUP from now on is remembered, and ends nobody
+  service::start_log("monitor");
 
   monitor::MonitorConfig config;
   config::Schema schema;
@@ -58,7 +63,10 @@ int main(int argc, char** argv) {
     monitor::finish_config(config);
     wire::check_security(config.security);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
-    if (!config.checkpoint_directory.empty()) monitor::require_writable_folder(config.checkpoint_directory);
+    // The flight goes on without what cannot be written; whoever only checks wants to know of it.
+    if (line.check_config && !config.checkpoint_directory.empty())
+      monitor::require_writable_folder(config.checkpoint_directory);
+    if (line.check_config && !config.record.file.empty()) const files::AtomicFile probe(config.record.file);
     engines = std::make_unique<monitor::EngineTable>(config);
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';

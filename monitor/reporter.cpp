@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "deploy/service/last_catch.h"
 #include "deploy/service/notify.h"
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
@@ -55,10 +56,12 @@ void Reporter::run() {
   // The flag is read before the queue: what was queued before the stop is still reported.
   for (bool last = false; !last;) {
     last = stop_.load(std::memory_order_acquire);
-    while (report_next()) {
-    }
-    report_notices();
-    report_overflow();
+    service::survive("reporter", [this] {
+      while (report_next()) {
+      }
+      report_notices();
+      report_overflow();
+    });
     turns_.turned();
     if (!last) std::this_thread::sleep_for(poll);
   }

@@ -8,7 +8,7 @@
 
 #include "deploy/service/notify.h"
 #include "deploy/service/security_watch.h"
-#include "deploy/service/stop_signal.h"
+#include "deploy/service/stop_deadline.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/cycle_thread.h"
 #include "monitor/export/metrics_endpoint.h"
@@ -48,7 +48,7 @@ wire::ParticipantOptions watched_participant(const MonitorConfig& config, Notice
 /// Checkpoints are on: what is kept in flight, and what could be resumed at start.
 struct Checkpoints {
   Checkpoints(const MonitorConfig& config, const EngineTable& engines, NoticeBoard& notices)
-      : writer(config.checkpoint_directory),
+      : writer(config.checkpoint_directory, notices),
         resumable(
             config.checkpoint_directory, config.checkpoint_max_age_s, wall_clock_ns(),
             [&](std::uint32_t id) {
@@ -112,9 +112,10 @@ double take_part(const MonitorConfig& config, EngineTable*& engines, Shared& sha
 void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table, const ReloadSource& source) {
   EngineTable* engines = table.get();  // at start; the reloader owns it, and those that come after it
   const service::StopSignal stop;
-  std::optional<Recorder> recorder;
-  if (!config.record.file.empty()) recorder.emplace(config, *engines);
+  const service::StopDeadline deadline;
   Shared shared(config);
+  std::optional<Recorder> recorder;
+  if (!config.record.file.empty()) recorder.emplace(config, *engines, shared.notices);
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, *engines, shared.notices);
   const auto know = [&](const EngineTable& next) {
@@ -123,7 +124,7 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
   const Reloader reloader(source, std::move(table), shared.exchange, shared.notices,
                           {know, [&] { Reporter::await_reported(shared.reporter_turns); }});
   const MetricsEndpoint metrics(config.metrics_listen, static_cast<std::uint32_t>(config.source_id), shared.board,
-                                {shared.cycle_turns, shared.reporter_turns});
+                                {shared.cycle_turns, shared.reporter_turns, config.status_period_s});
   const service::Watchdog watchdog(shared.cycle_turns, "cycle");
   const CycleLinks links{*shared.reports,
                          checkpoints ? &checkpoints->keeper : nullptr,
@@ -147,6 +148,7 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
       shared.notices.post({wire::EventKind::held_up, false, "has joined DDS anew", 0, 0.0, 0.0});
     });
   }
+  service::StopDeadline::in_order();
   spdlog::info("stopped in order");
 }
 

@@ -7,15 +7,16 @@
 #include <sstream>
 
 #include "deploy/config/schema.h"
+#include "deploy/files/input_file.h"
+#include "deploy/files/file_error.h"
 
 namespace ehm::config {
 
 toml::table parse_toml_file(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw ConfigError(file + ": no such file; name an existing TOML file");
   try {
-    return toml::parse_file(file);
+    return toml::parse(files::read_input_file(file, files::configuration_file), file);
+  } catch (const files::FileError& e) {
+    throw ConfigError(e.what());
   } catch (const toml::parse_error& e) {
     std::ostringstream message;
     message << file << ':' << e.source().begin.line << ':' << e.source().begin.column

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "deploy/files/file_error.h"
+#include "deploy/files/input_file.h"
 
 namespace ehm::files {
 namespace {
@@ -49,11 +50,7 @@ std::string content(std::istream& in, const std::string& file) {
 std::string read_text(const std::string& path) {
   errno = 0;
   if (path == "-") return content(std::cin, "standard input");
-  std::ifstream in(path, std::ios::binary);
-  // peek() finds out what opening does not tell: a folder opens, but cannot be read
-  if (!in || (in.peek(), in.bad())) throw FileError(path + ": cannot be read: " + std::strerror(errno));
-  in.clear();
-  return content(in, path);
+  return read_input_file(path, table_file);
 }
 
 TableLines::TableLines(std::string_view text, const std::string& file) : rest_(text) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "deploy/files/file_error.h"
+#include "deploy/files/input_file.h"
 
 namespace ehm::recording {
 
@@ -18,8 +19,7 @@ FileReader::FileReader(const std::string& path) : path_(path) {
 }
 
 void FileReader::open() {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path_, error)) throw FileError(path_ + ": no such file; name a recording");
+  files::require_input_file(path_, files::recording_file);
   // HDF5 reads metadata again that a live writer is just changing, after 1, 2, 4 ns ...: 30 ms in all. Its default
   // would wait for centuries when a killed writer has left half a change behind.
   constexpr unsigned read_attempts = 25;

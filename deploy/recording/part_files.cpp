@@ -59,11 +59,4 @@ std::int64_t next_part(const std::string& file) {
   return numbers.empty() ? 1 : numbers.back() + 1;
 }
 
-void remove_oldest_parts(const std::string& file, std::int64_t keep) {
-  const auto numbers = existing_parts(file);
-  const auto surplus = static_cast<std::int64_t>(numbers.size()) - keep;
-  std::error_code error;
-  for (std::int64_t i = 0; i < surplus; ++i) fs::remove(part_name(file, numbers[static_cast<std::size_t>(i)]), error);
-}
-
 }  // namespace ehm::recording

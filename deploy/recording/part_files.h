@@ -1,6 +1,6 @@
 #pragma once
 // The files of one recording name: flight.h5, then flight.0002.h5, flight.0003.h5 ... A number that exists is never
-// written again, so that a restarted service goes on with the next one; the lowest ones are removed beyond a limit.
+// written again, so that a restarted service goes on with the next one.
 
 #include <cstdint>
 #include <string>
@@ -19,8 +19,5 @@ std::vector<std::int64_t> existing_parts(const std::string& file);
 
 /// The number after the highest that exists.
 std::int64_t next_part(const std::string& file);
-
-/// Removes the lowest parts until `keep` are left; what cannot be removed stays.
-void remove_oldest_parts(const std::string& file, std::int64_t keep);
 
 }  // namespace ehm::recording

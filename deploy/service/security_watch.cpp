@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "deploy/service/last_catch.h"
 #include "idl/dds/middleware_log.h"
 
 namespace ehm::service {
@@ -85,7 +86,7 @@ void SecurityWatch::run() {
       std::unique_lock lock(mutex_);
       last = wake_.wait_for(lock, std::chrono::milliseconds(200), [this] { return stop_; });
     }
-    turn();
+    survive("security watch", [this] { turn(); });
   }
 }
 

@@ -24,6 +24,9 @@ void change_health(const SimCommand& c, Simulation& s, bool relative) {
   const double present = s.health()[c.channel()];
   const double target = relative ? present + c.value()[0] : c.value()[0];
   require("health after the command", target, -0.30, 0.10);
+  if (!s.can_wear(c.channel(), target, c.value()[1]))
+    throw std::invalid_argument("the engine does not survive a health of " + config::number_text(target) +
+                                " at its present power; change the demand first, or by less");
   s.order_health(c.channel(), target, c.value()[1]);
 }
 

@@ -12,6 +12,8 @@
 
 #include "idl/dds/discovery_listener.h"
 #include "idl/dds/security.h"
+#include "deploy/files/input_file.h"
+#include "deploy/files/file_error.h"
 
 namespace ehm::wire {
 
@@ -37,6 +39,11 @@ dds::DomainParticipantQos built_in_profile(const ParticipantOptions& options) {
 }
 
 dds::DomainParticipantQos profile_from_file(const ParticipantOptions& options) {
+  try {
+    files::require_input_file(options.profiles_file, files::profiles_file);
+  } catch (const files::FileError& e) {
+    throw DdsError(std::string("dds profiles file ") + e.what());
+  }
   auto* factory = dds::DomainParticipantFactory::get_instance();
   if (factory->load_XML_profiles_file(options.profiles_file) != ReturnCode_t::RETCODE_OK)
     throw DdsError("dds profiles file '" + options.profiles_file +

@@ -4,12 +4,13 @@
 #include <openssl/x509.h>
 
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 
+#include "deploy/files/file_error.h"
+#include "deploy/files/input_file.h"
 #include "idl/dds/dds_error.h"
 
 namespace ehm::wire {
@@ -18,26 +19,18 @@ using eprosima::fastrtps::rtps::Property;
 
 namespace {
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-/// Null where there is no such file; a file that is there and cannot be read is an error.
-File open_if_there(const std::string& path) {
-  File file(std::fopen(path.c_str(), "r"), &std::fclose);
-  if (!file && errno != ENOENT) throw DdsError("security file '" + path + "' cannot be read: " + std::strerror(errno));
-  return file;
+std::string content_of(const std::string& path) {
+  try {
+    return files::read_input_file(path, files::security_file);
+  } catch (const files::FileError& e) {
+    throw DdsError(std::string("security file ") + e.what() +
+                   " dds.security names a directory that make_security.sh made");
+  }
 }
 
-File open_file(const std::string& path) {
-  File file = open_if_there(path);
-  if (!file)
-    throw DdsError("security file '" + path +
-                   "' does not exist; dds.security names a directory that make_security.sh made");
-  return file;
-}
-
-/// PEM and S/MIME files are never empty; a directory opens, but gives no byte.
+/// PEM and S/MIME files are never empty.
 std::string readable(const std::string& path) {
-  if (std::fgetc(open_file(path).get()) == EOF) throw DdsError("security file '" + path + "' is empty or a directory");
+  if (content_of(path).empty()) throw DdsError("security file " + path + ": is empty");
   return "file://" + path;
 }
 
@@ -45,8 +38,11 @@ std::string readable(const std::string& path) {
 
 double certificate_days_left(const std::string& directory) {
   const std::string path = directory + "/cert.pem";
-  const std::unique_ptr<X509, decltype(&X509_free)> certificate(
-      PEM_read_X509(open_file(path).get(), nullptr, nullptr, nullptr), &X509_free);
+  const std::string text = content_of(path);
+  const std::unique_ptr<BIO, decltype(&BIO_free)> bio(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())),
+                                                      &BIO_free);
+  const std::unique_ptr<X509, decltype(&X509_free)> certificate(PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr),
+                                                                &X509_free);
   int days = 0, seconds = 0;
   if (!certificate || ASN1_TIME_diff(&days, &seconds, nullptr, X509_get0_notAfter(certificate.get())) != 1)
     throw DdsError("security file '" + path + "' is not an X.509 certificate in PEM");
@@ -67,7 +63,7 @@ std::vector<Property> security_properties(const std::string& directory) {
   properties.emplace_back("dds.sec.access.plugin", "builtin.Access-Permissions");
   properties.emplace_back("dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC");
   for (const auto& [property, file] : files) properties.emplace_back(property, readable(directory + "/" + file));
-  if (const std::string revoked = directory + "/identity_crl.pem"; open_if_there(revoked))
+  if (const std::string revoked = directory + "/identity_crl.pem"; std::filesystem::exists(revoked))
     properties.emplace_back("dds.sec.auth.builtin.PKI-DH.identity_crl", readable(revoked));
   if (certificate_days_left(directory) <= 0.0)
     throw DdsError("security file '" + directory +

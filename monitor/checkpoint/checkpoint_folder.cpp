@@ -10,6 +10,7 @@
 #include "deploy/files/atomic_file.h"
 #include "deploy/files/file_error.h"
 #include "monitor/design/json_object.h"
+#include "deploy/files/input_file.h"
 
 namespace ehm::monitor {
 
@@ -29,14 +30,7 @@ std::uint32_t engine_of(const std::string& name) {
 }
 
 std::string read_text(const std::filesystem::path& path) {
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(path, unknown);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || unknown) throw files::FileError(path.string() + ": cannot be read. Check the permissions.");
-  if (size > largest_file)
-    throw files::FileError(path.string() + ": is " + std::to_string(size) + " bytes long, a checkpoint has at most " +
-                           std::to_string(largest_file));
-  return std::string(std::istreambuf_iterator<char>(stream), {});
+  return files::read_input_file(path.string(), {"a checkpoint", largest_file});
 }
 
 /// Why a readable checkpoint does not belong here and now; empty if it does.

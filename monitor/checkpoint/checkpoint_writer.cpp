@@ -3,9 +3,11 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "deploy/files/atomic_file.h"
 #include "deploy/files/file_error.h"
+#include "deploy/service/last_catch.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
 
 namespace ehm::monitor {
@@ -16,10 +18,17 @@ constexpr std::chrono::milliseconds poll{20}, stop_limit{400};
 
 }  // namespace
 
-CheckpointWriter::CheckpointWriter(std::string folder)
+CheckpointWriter::CheckpointWriter(std::string folder, NoticeBoard& notices)
     : folder_(std::move(folder)),
-      queue_(std::make_unique<SpscQueue<CheckpointRequest, queue_length>>()),
-      thread_([this] { run(); }) {}
+      notices_(notices),
+      queue_(std::make_unique<SpscQueue<CheckpointRequest, queue_length>>()) {
+  try {
+    require_writable_folder(folder_);
+  } catch (const files::FileError& e) {
+    tell(true, e.what());
+  }
+  thread_ = std::thread([this] { run(); });
+}
 
 CheckpointWriter::~CheckpointWriter() {
   stop_.store(true, std::memory_order_release);
@@ -29,7 +38,9 @@ CheckpointWriter::~CheckpointWriter() {
 void CheckpointWriter::run() {
   CheckpointRequest request;
   while (!stop_.load(std::memory_order_acquire)) {
-    while (queue_->pop(request)) write(request);
+    service::survive("checkpoints", [&] {
+      while (queue_->pop(request)) write(request);
+    });
     std::this_thread::sleep_for(poll);
   }
   const auto limit = std::chrono::steady_clock::now() + stop_limit;
@@ -43,12 +54,23 @@ void CheckpointWriter::write(const CheckpointRequest& request) {
   Checkpoint checkpoint{request.engine_id, std::string(request.design_hash.data(), request.design_hash.size()),
                         request.wall_time_ns, request.state};
   try {
+    std::error_code there;  // if it cannot be made, writing says why
+    if (failing_) std::filesystem::create_directories(folder_, there);
     files::write_file_atomically(checkpoint_path(folder_, request.engine_id), to_text(checkpoint));
     written_.fetch_add(1, std::memory_order_relaxed);
+    tell(false, "");
   } catch (const std::exception& e) {
-    // Said once a thousand: a full disk must not fill the log as well.
-    if (failed_.fetch_add(1, std::memory_order_relaxed) % 1000 == 0) spdlog::error("checkpoint: {}", e.what());
+    failed_.fetch_add(1, std::memory_order_relaxed);
+    tell(true, e.what());
   }
+}
+
+void CheckpointWriter::tell(bool failing, const std::string& why) {
+  if (failing == failing_) return;
+  failing_ = failing;
+  notices_.post({wire::EventKind::checkpoint, failing,
+                 failing ? "checkpoints cannot be written, the monitor flies without and tries again: " + why
+                         : "checkpoints are written again"});
 }
 
 }  // namespace ehm::monitor

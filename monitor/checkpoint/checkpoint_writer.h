@@ -1,6 +1,8 @@
 #pragma once
 // Writes checkpoints on a thread of its own. The cycle thread hands over plain copies through a bounded queue; when
 // that is full the checkpoint is due again at the next turn, so a slow disk makes checkpoints rarer and nothing else.
+// A disk that is full, read-only or away costs checkpoints only: an event tells when it begins and ends, each
+// checkpoint that is due tries again, and the folder is made anew if it has gone.
 
 #include <array>
 #include <atomic>
@@ -10,6 +12,7 @@
 #include <thread>
 
 #include "monitor/cycle_state.h"
+#include "monitor/notice_board.h"
 #include "monitor/realtime/spsc_queue.h"
 
 namespace ehm::monitor {
@@ -24,7 +27,8 @@ struct CheckpointRequest {
 
 class CheckpointWriter {
  public:
-  explicit CheckpointWriter(std::string folder);
+  /// `notices`: hears when writing begins to fail, and when it works again.
+  CheckpointWriter(std::string folder, NoticeBoard& notices);
   /// Writes what is queued for 0.4 s at most, then ends the thread; says how many were left.
   ~CheckpointWriter();
 
@@ -37,9 +41,12 @@ class CheckpointWriter {
  private:
   void run();
   void write(const CheckpointRequest& request);
+  void tell(bool failing, const std::string& why);
 
   static constexpr std::size_t queue_length = 32;
   std::string folder_;
+  NoticeBoard& notices_;
+  bool failing_ = false;
   std::unique_ptr<SpscQueue<CheckpointRequest, queue_length>> queue_;
   std::atomic<std::uint64_t> written_{0}, failed_{0};
   std::atomic<bool> stop_{false};

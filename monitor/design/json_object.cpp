@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "monitor/design/file_error.h"
+#include "deploy/files/input_file.h"
 
 namespace ehm::design {
 namespace {
@@ -57,11 +58,7 @@ std::string shown(double value) {
 }
 
 Json parse_json_file(const std::string& file) {
-  std::error_code error_code;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, error_code))
-    throw FileError(file + ": cannot be opened. Check the path and the permissions.");
-  return parse_json_text(std::string(std::istreambuf_iterator<char>(stream), {}), file);
+  return parse_json_text(files::read_input_file(file, files::json_file), file);
 }
 
 Json parse_json_text(const std::string& text, const std::string& file) {

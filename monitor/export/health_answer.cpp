@@ -1,8 +1,11 @@
 #include "monitor/export/health_answer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
-#include <thread>
+#include <string>
+
+#include <spdlog/fmt/fmt.h>
 
 namespace ehm::monitor {
 
@@ -11,9 +14,6 @@ namespace {
 using nlohmann::json;
 using service::HttpAnswer;
 using wire::StatusLevel;
-
-constexpr int looks = 40;
-constexpr std::chrono::milliseconds between_looks{5};
 
 HttpAnswer answer(const json& body, bool good) {
   return {good ? 200 : 503, body.dump() + "\n", "application/json"};
@@ -34,31 +34,64 @@ json engines_by_level(const FleetView& fleet) {
   return levels;
 }
 
+double status_age_s(const EngineView& engine, const Ages& ages) {
+  return 1e-9 * static_cast<double>(ages.now_ns - engine.status_ns);
+}
+
+/// Rounded to a millisecond: for people.
+double rounded(double seconds) {
+  return std::round(1e3 * seconds) / 1e3;
+}
+
+json stalled_loops(const Ages& ages) {
+  json reasons = json::array();
+  const auto judge = [&](const char* loop, double age_s) {
+    if (age_s > longest_turn_s) reasons.push_back(fmt::format("the {} thread has stalled for {:.1f} s", loop, age_s));
+  };
+  judge("cycle", ages.cycle_s);
+  judge("reporter", ages.reporter_s);
+  return reasons;
+}
+
+json loop_ages(const Ages& ages) {
+  return {{"cycle", rounded(ages.cycle_s)}, {"reporter", rounded(ages.reporter_s)}};
+}
+
 }  // namespace
 
-HttpAnswer health_answer(const FleetView& fleet, const Loops& loops) {
-  const std::uint64_t cycle = loops.cycle.turns(), reporter = loops.reporter.turns();
-  bool cycle_turns = false, reporter_turns = false;
-  for (int look = 0; look < looks && !(cycle_turns && reporter_turns); ++look) {
-    std::this_thread::sleep_for(between_looks);
-    cycle_turns = loops.cycle.turns() != cycle;
-    reporter_turns = loops.reporter.turns() != reporter;
-  }
-  json reasons = json::array();
-  if (!cycle_turns) reasons.push_back("the cycle thread has stalled");
-  if (!reporter_turns) reasons.push_back("the reporter thread has stalled");
-  return answer({{"healthy", reasons.empty()}, {"reasons", reasons}, {"engines", engines_by_level(fleet)}},
+HttpAnswer health_answer(const FleetView& fleet, const Ages& ages) {
+  const json reasons = stalled_loops(ages);
+  return answer({{"healthy", reasons.empty()},
+                 {"reasons", reasons},
+                 {"loop_age_s", loop_ages(ages)},
+                 {"engines", engines_by_level(fleet)}},
                 reasons.empty());
 }
 
-HttpAnswer ready_answer(const FleetView& fleet) {
-  json reasons = json::array();
+HttpAnswer ready_answer(const FleetView& fleet, const Ages& ages) {
+  json reasons = stalled_loops(ages);
   const json stale = engines_at(fleet, StatusLevel::stale), error = engines_at(fleet, StatusLevel::error);
-  const bool heard = std::any_of(fleet.begin(), fleet.end(), [](const auto& e) { return e.second.status_ns != 0; });
+  json old = json::array();
+  double oldest_s = 0.0;
+  bool heard = false;
+  for (const auto& [id, engine] : fleet) {
+    if (engine.status_ns == 0) continue;
+    heard = true;
+    const double age_s = status_age_s(engine, ages);
+    oldest_s = std::max(oldest_s, age_s);
+    if (age_s > ages.status_limit_s) old.push_back(id);
+  }
   if (!heard) reasons.push_back("no engine has been heard");
+  if (!old.empty())
+    reasons.push_back(fmt::format("the status of engines {} is up to {:.1f} s old, it is due every {:.1f} s",
+                                  old.dump(), oldest_s, ages.status_limit_s));
   if (!stale.empty()) reasons.push_back("no input from engines " + stale.dump());
   if (!error.empty()) reasons.push_back("no estimate can be made for engines " + error.dump());
-  return answer({{"ready", reasons.empty()}, {"reasons", reasons}, {"engines", engines_by_level(fleet)}},
+  return answer({{"ready", reasons.empty()},
+                 {"reasons", reasons},
+                 {"loop_age_s", loop_ages(ages)},
+                 {"oldest_status_s", rounded(oldest_s)},
+                 {"engines", engines_by_level(fleet)}},
                 reasons.empty());
 }
 

@@ -40,7 +40,6 @@ double number(std::uint64_t count) {
 
 constexpr StatusMetric engine_metrics[]{
     EHM_GAUGE("ehm_level", s.level(), "0 OK, 1 WARN, 2 ERROR, 3 STALE, 4 STOPPED."),
-    EHM_GAUGE("ehm_input_age_seconds", s.age_s(), "Age of the latest sample, by the monitor's clock."),
     EHM_GAUGE("ehm_input_rate_hertz", s.rate_hz(), "Samples per second since the status before."),
     EHM_GAUGE("ehm_sensors_used", std::popcount(s.sensors_used()), "Sensors in the design that flies."),
     EHM_GAUGE("ehm_latency_max_seconds", us* s.latency_max_us(),
@@ -141,6 +140,35 @@ MetricFamily estimates(const Fleet& fleet, const char* name, const char* help, d
   });
 }
 
+double status_age_s(const ServiceView& view, const EngineView& engine) {
+  return 1e-9 * static_cast<double>(view.ages.now_ns - engine.status_ns);
+}
+
+/// Of the present, not of the status: an age that stands still would hide that nothing moves.
+MetricFamily input_ages(const Fleet& fleet, const ServiceView& view) {
+  return fleet.family(
+      "ehm_input_age_seconds", "Age of the latest sample that is known of, by the monitor's clock.", MetricType::Gauge,
+      [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
+        f.metric.push_back(sample(fleet.labels(id), engine.status.age_s() + status_age_s(view, engine)));
+      });
+}
+
+MetricFamily status_ages(const Fleet& fleet, const ServiceView& view) {
+  return fleet.family("ehm_status_age_seconds", "Age of what these metrics tell of the engine.", MetricType::Gauge,
+                      [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
+                        f.metric.push_back(sample(fleet.labels(id), status_age_s(view, engine)));
+                      });
+}
+
+MetricFamily loop_ages(const ServiceView& view) {
+  const std::string source = std::to_string(view.source_id);
+  return {"ehm_loop_age_seconds",
+          "Since the loop turned last; above 0.25 it has stalled.",
+          MetricType::Gauge,
+          {sample({{"loop", "cycle"}, {"source", source}}, view.ages.cycle_s),
+           sample({{"loop", "reporter"}, {"source", source}}, view.ages.reporter_s)}};
+}
+
 MetricFamily latencies(const Fleet& fleet) {
   return fleet.family("ehm_latency_seconds", "From a sample's reception to its estimate's publication, by percentile.",
                       MetricType::Gauge, [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
@@ -166,7 +194,8 @@ MetricFamily events(const Fleet& fleet) {
       "ehm_events_total", "Conditions that began, by kind.", MetricType::Counter,
       [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
         for (std::size_t kind = 1; kind < wire::event_kind_names.size(); ++kind)
-          f.metric.push_back(sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
+          f.metric.push_back(
+              sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
       },
       true);
 }
@@ -207,6 +236,9 @@ std::string metrics_text(const ServiceView& view) {
                                           MetricType::Gauge, {}, number(heard(view.fleet))));
   for (const StatusMetric& m : service_metrics) families.push_back(fleet.service_family(m));
   for (const StatusMetric& m : engine_metrics) families.push_back(fleet.family(m));
+  families.push_back(loop_ages(view));
+  families.push_back(status_ages(fleet, view));
+  families.push_back(input_ages(fleet, view));
   families.push_back(latencies(fleet));
   families.push_back(estimates(fleet, "ehm_estimate", "Estimated health parameter or output, in the channel's unit.",
                                &EstimateView::value));

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "monitor/export/loop_watch.h"
 #include "monitor/export/status_board.h"
 
 namespace ehm::monitor {
@@ -14,6 +15,7 @@ struct ServiceView {
   FleetView fleet;
   std::uint32_t source_id = 0;
   std::uint64_t cycle_turns = 0;
+  Ages ages;
 };
 
 /// The text exposition format, version 0.0.4, of the fleet, the service and the process.

@@ -11,10 +11,20 @@ namespace ehm::monitor {
 
 class MetricsEndpoint {
  public:
+  /// The loops that must turn for the service to be of use.
+  struct Loops {
+    const service::TurnCounter& cycle;
+    const service::TurnCounter& reporter;
+    double status_period_s;
+  };
   /// `listen`: key metrics.listen, checked by finish_config; empty: no endpoint. All else must outlive this.
   MetricsEndpoint(const std::string& listen, std::uint32_t source_id, const StatusBoard& board, const Loops& loops);
 
  private:
+  Ages ages() const;
+
+  LoopWatch cycle_, reporter_;  // of the server's thread
+  double status_limit_s_;
   std::optional<service::HttpServer> server_;
 };
 

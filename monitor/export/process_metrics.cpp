@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string>
 
+#include "deploy/service/log.h"
+
 namespace ehm::monitor {
 
 namespace {
@@ -52,6 +54,8 @@ std::vector<MetricFamily> process_metrics() {
   if (getrlimit(RLIMIT_NOFILE, &limit) == 0)
     families.push_back(single("process_max_fds", "File descriptors that the monitor may open.", MetricType::Gauge,
                               static_cast<double>(limit.rlim_cur)));
+  families.push_back(single("ehm_log_lines_lost_total", "Lines of the log that its reader was too slow for.",
+                            MetricType::Counter, static_cast<double>(service::lost_log_lines())));
   return families;
 }
 

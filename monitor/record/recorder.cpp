@@ -2,7 +2,11 @@
 
 #include <spdlog/spdlog.h>
 
+#include <filesystem>
+
+#include "deploy/files/file_error.h"
 #include "deploy/recording/part_files.h"
+#include "deploy/service/last_catch.h"
 #include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
@@ -16,12 +20,13 @@ constexpr std::chrono::milliseconds poll{20};
 constexpr std::size_t commit_rows = 16 * recording::Writer::chunk_rows;
 // What kill -9 may cost: whole chunks reach the file after one time, a part of a chunk after the other.
 constexpr std::chrono::milliseconds commit_chunks_after{500}, commit_all_after{5000};
+constexpr std::chrono::seconds retry_after{10};
 constexpr double bytes_per_mb = 1e6;
 
 }  // namespace
 
-Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines)
-    : options_(config.record), feed_(std::make_unique<RecordFeed>()) {
+Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines, NoticeBoard& notices)
+    : options_(config.record), feed_(std::make_unique<RecordFeed>()), notices_(notices) {
   know(engines);
   const design::Design& first = *engines.designs().front();
   info_.recording_id = wall_clock_ns();
@@ -29,7 +34,12 @@ Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines)
   info_.monitor_source_id = config.source_id;
   info_.sample_time_s = first.model.sample_time_s;
   info_.created_by = "monitor";
-  begin_part(recorded_channels(first));
+  info_.channels = recorded_channels(first);
+  try {
+    begin_part(info_.channels);
+  } catch (const files::FileError& e) {
+    give_up(e.what());
+  }
   thread_ = std::thread([this] { run(); });
 }
 
@@ -54,15 +64,48 @@ void Recorder::begin_part(recording::Channels channels) {
   if (writer_ && channels != writer_->channels()) {
     info_.recording_id = wall_clock_ns();
     info_.part = 0;
+    parts_.clear();
   }
-  writer_.reset();  // closed before the oldest are counted
+  writer_.reset();  // closed before room is made
   design_hash_.clear();
-  ++info_.part;
   info_.channels = std::move(channels);
-  recording::remove_oldest_parts(options_.file, options_.max_files - 1);
-  writer_ = std::make_unique<recording::Writer>(
-      recording::part_name(options_.file, recording::next_part(options_.file)), info_);
-  spdlog::info("recording to {}", writer_->path());
+  make_room();
+  recording::FileInfo next = info_;
+  ++next.part;
+  const std::string path = recording::part_name(options_.file, recording::next_part(options_.file));
+  writer_ = std::make_unique<recording::Writer>(path, next);
+  info_ = std::move(next);
+  parts_.push_back(path);
+  spdlog::info("recording to {}", path);
+}
+
+void Recorder::make_room() {
+  while (parts_.size() > 1 && parts_.size() >= static_cast<std::size_t>(options_.max_files)) {
+    std::error_code gone;  // what cannot be removed stays
+    std::filesystem::remove(parts_[1], gone);
+    parts_.erase(parts_.begin() + 1);
+  }
+}
+
+void Recorder::give_up(const std::string& why) {
+  if (writer_) feed_->count_unwritten(writer_->pending());
+  writer_.reset();
+  next_try_ = steady_clock::now() + retry_after;
+  notices_.post(
+      {wire::EventKind::recording, true,
+       "recording has stopped, the monitor goes on and its samples count as records_lost; tried again every " +
+           std::to_string(retry_after.count()) + " s: " + why});
+}
+
+void Recorder::resume_when_due() {
+  if (writer_ || steady_clock::now() < next_try_) return;
+  next_try_ = steady_clock::now() + retry_after;
+  try {
+    begin_part(info_.channels);
+  } catch (const files::FileError&) {
+    return;  // the event stands
+  }
+  notices_.post({wire::EventKind::recording, false, "recording goes on in " + writer_->path()});
 }
 
 template <class Step>
@@ -71,9 +114,7 @@ void Recorder::attempt(Step step) {
   try {
     step();
   } catch (const std::exception& e) {
-    spdlog::error("recording has ended: {}; the monitor goes on, its samples count as records_lost", e.what());
-    if (writer_) feed_->count_unwritten(writer_->pending());
-    writer_.reset();
+    give_up(e.what());
   }
 }
 
@@ -82,7 +123,10 @@ void Recorder::run() {
   // The flag is read before the queue: what was queued before the stop is still written.
   for (bool last = false; !last;) {
     last = stop_.load(std::memory_order_acquire);
-    take_all();
+    service::survive("recording", [this] {
+      resume_when_due();
+      take_all();
+    });
     if (!last) std::this_thread::sleep_for(poll);
   }
   attempt([this] {

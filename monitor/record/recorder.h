@@ -1,12 +1,12 @@
 #pragma once
 // Writes what the cycle thread feeds to files, on a thread of its own.
 //
-// A file that grows beyond record.max_mb is closed and the next part begun; the oldest parts are removed beyond
-// record.max_files. When the disk refuses, recording ends with a message, every further row counts as lost, and the
-// monitor goes on.
+// A file that grows beyond record.max_mb is closed and the next part begun; beyond record.max_files of them the oldest
+// are removed, but never the first, which holds the start of the flight, and never a file that this recorder did not
+// make. When the disk refuses, at start or later, the monitor flies on without: rows count as lost, an event tells of
+// it, and every ten seconds a new part is tried, until the disk takes it.
 //
-// @throws files::FileError if the file cannot be created or exists; config::ConfigError if the designs' channels
-// differ.
+// @throws config::ConfigError if the designs' channels differ.
 
 #include <atomic>
 #include <chrono>
@@ -16,17 +16,19 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "deploy/recording/writer.h"
 #include "monitor/config.h"
 #include "monitor/engine_table.h"
+#include "monitor/notice_board.h"
 #include "monitor/record/record_feed.h"
 
 namespace ehm::monitor {
 
 class Recorder {
  public:
-  Recorder(const MonitorConfig& config, const EngineTable& engines);
+  Recorder(const MonitorConfig& config, const EngineTable& engines, NoticeBoard& notices);
   /// Writes what is still queued, then ends the thread.
   ~Recorder();
 
@@ -41,15 +43,21 @@ class Recorder {
   void append(const Record& record);
   void commit_when_due();
   void begin_part(recording::Channels channels);
+  void make_room();
+  void resume_when_due();
+  void give_up(const std::string& why);
   recording::Channels channels_of(std::string_view hash);
-  /// Runs a step that may fail; recording ends if it does.
+  /// Runs a step that may fail; recording pauses if it does.
   template <class Step>
   void attempt(Step step);
 
   RecordOptions options_;
   recording::FileInfo info_;
   std::unique_ptr<RecordFeed> feed_;
-  std::unique_ptr<recording::Writer> writer_;         ///< null: given up
+  NoticeBoard& notices_;
+  std::unique_ptr<recording::Writer> writer_;         ///< null: the disk refused
+  std::vector<std::string> parts_;                    ///< made by this recorder and still there, the oldest first
+  std::chrono::steady_clock::time_point next_try_;    ///< while there is no writer
   std::mutex mutex_;                                  ///< of known_
   std::map<std::string, recording::Channels> known_;  ///< by the hash of their design
   std::string design_hash_;                           ///< of the latest row

@@ -24,6 +24,8 @@ class RankedWriter {
   /// False when the middleware refused the sample.
   bool write(const T& sample, bool as_incumbent) { return ranked(as_incumbent).write(sample); }
   void release(const T& key, bool as_incumbent) { ranked(as_incumbent).release(key); }
+  /// Waits until all readers have what was written last; false after the time limit.
+  bool drain(double seconds) { return configured_.drain(seconds) && (!incumbent_ || incumbent_->drain(seconds)); }
 
  private:
   wire::Writer<T>& ranked(bool as_incumbent) { return as_incumbent && incumbent_ ? *incumbent_ : configured_; }

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "deploy/service/last_catch.h"
 #include "idl/wire_values.h"
 
 namespace ehm::monitor {
@@ -60,7 +61,7 @@ Reloader::~Reloader() {
 
 void Reloader::run() {
   while (!stop_.load(std::memory_order_relaxed)) {
-    if (signal_.take()) reload();
+    if (signal_.take()) service::survive("reload", [this] { reload(); });
     std::this_thread::sleep_for(poll);
   }
 }

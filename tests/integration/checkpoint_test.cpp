@@ -115,10 +115,24 @@ TEST_F(CheckpointTest, AnotherFlightOfTheSourceIsNotResumed) {
   EXPECT_NE(message.find("the source started anew after the checkpoint"), std::string::npos) << message;
 }
 
-TEST_F(CheckpointTest, AFolderThatIsNotThereStopsTheStart) {
-  const auto monitor = start_monitor({"--checkpoint-directory", folder_.path("absent")});
-  EXPECT_EQ(monitor->wait(seconds(10)), 2);
-  EXPECT_NE(monitor->log().find(folder_.path("absent")), std::string::npos) << monitor->log();
+TEST_F(CheckpointTest, AFolderThatIsNotThereIsMadeOnceThereIsRoom) {
+  const std::string folder = folder_.path("absent");
+  const auto check = start_monitor({"--checkpoint-directory", folder, "--check-config"});
+  EXPECT_EQ(check->wait(seconds(10)), 2);
+  EXPECT_NE(check->log().find(folder), std::string::npos) << check->log();
+
+  std::ofstream(folder) << "in the way";
+  const auto monitor = start_monitor(
+      {"--checkpoint-directory", folder, "--checkpoint-period-s", "1", "--monitor-status-period-s", "0.1"});
+  const auto simulator = start_simulator();
+  ASSERT_TRUE(listener_.await([&] {
+    return !listener_.status.empty() && listener_.status.back().checkpoints_failed() > 0;
+  })) << monitor->log();
+  ASSERT_NE(checkpoint_event(true), nullptr);
+  EXPECT_NE(std::string(checkpoint_event(true)->message().c_str()).find(folder), std::string::npos);
+  std::filesystem::remove(folder);
+  EXPECT_TRUE(listener_.await([&] { return listener_.status.back().checkpoints_written() > 0; })) << monitor->log();
+  EXPECT_TRUE(listener_.await([&] { return checkpoint_event(false) != nullptr; }));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SIGHUP in flight: what is valid is taken between two samples, what is not is refused by name, and nothing is lost.
 
+#include <sys/stat.h>
+
 #include <csignal>
 #include <fstream>
 
@@ -84,8 +86,13 @@ TEST_F(ReloadTest, WhatIsWrongLeavesTheOldOneFlying) {
   EXPECT_NE(refused("[dds]\npartition = \"fleet/b\"\n").find("'dds.partition'"), std::string::npos);
   EXPECT_NE(refused("max_engines = 2\n").find("can only grow"), std::string::npos);
   EXPECT_NE(refused("[[engine]]\nids = [1]\ndesign = \"absent.json\"\n").find("absent.json"), std::string::npos);
+  // What is no file neither blocks the reload nor fills the memory.
+  const std::string pipe = folder_.path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_NE(refused("[[engine]]\nids = [1]\ndesign = \"" + pipe + "\"\n").find("pipe: is a pipe"), std::string::npos);
+  EXPECT_NE(refused("[[engine]]\nids = [1]\ndesign = \"/dev/zero\"\n").find("is a device"), std::string::npos);
   EXPECT_EQ(restarts(), 0u);
-  EXPECT_EQ(listener_.status.back().reloads_refused(), 5u);
+  EXPECT_EQ(listener_.status.back().reloads_refused(), 7u);
   EXPECT_EQ(listener_.status.back().reloads(), 0u);
   expect_no_gap();
   configure("");

@@ -15,6 +15,7 @@
 #include "deploy/files/file_error.h"
 #include "tuner_design/import/mat_bytes.h"
 #include "tuner_design/import/mat_element.h"
+#include "deploy/files/input_file.h"
 
 namespace ehm::bench {
 namespace {
@@ -23,17 +24,6 @@ using files::FileError;
 
 constexpr std::size_t header_size = 128, tag_size = 8, most_bytes = std::size_t{256} << 20U;
 constexpr std::uint32_t mi_matrix = 14, mi_compressed = 15;
-
-std::string read_all(const std::string& path) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || (in.peek(), in.bad()))
-    throw FileError(path + ": cannot be read: " + std::strerror(errno) + ". Check the path and the permissions.");
-  in.clear();
-  text << in.rdbuf();
-  return std::move(text).str();
-}
 
 /// @returns true if the numbers are little endian.
 bool check_header(std::string_view file, const std::string& path) {
@@ -81,7 +71,7 @@ bool is_sound_element(std::string_view element, bool little_endian) {
 }  // namespace
 
 MatImage read_mat_image(const std::string& path) {
-  const std::string file = read_all(path);
+  const std::string file = files::read_input_file(path, files::matlab_file);
   const bool little_endian = check_header(file, path);
   if (file.size() > most_bytes) refuse_size(path);
   MatImage image{file.substr(0, header_size), 0, {}};

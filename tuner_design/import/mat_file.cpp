@@ -16,6 +16,7 @@
 #include "deploy/files/file_error.h"
 #include "tuner_design/import/mat_container.h"
 #include "tuner_design/import/mat_value.h"
+#include "deploy/files/input_file.h"
 
 namespace ehm::bench {
 namespace {
@@ -251,6 +252,7 @@ bool is_mat_file(const std::string& path) {
   std::string ending = path.size() < 4 ? "" : path.substr(path.size() - 4);
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == ".mat") return true;
+  files::require_input_file(path, files::matlab_file);
   std::ifstream in(path, std::ios::binary);
   std::string start(6, '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));

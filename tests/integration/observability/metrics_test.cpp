@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/integration/observability/stopped_thread.h"
 #include "tests/integration/observability/watched_pair.h"
 
 namespace {
@@ -126,6 +127,26 @@ TEST_F(MetricsTest, SayWhatTheStatusSays) {
   EXPECT_EQ(nlohmann::json::parse(ready.body)["engines"]["STALE"], nlohmann::json::array({1}));
   EXPECT_EQ(get("/health").status, 200);  // an engine that is off is no reason to restart the monitor
   EXPECT_EQ(get("/else").status, 404);
+}
+
+TEST_F(MetricsTest, OfALoopThatHangsTellTheirAgeAndAreNotReady) {
+  const auto monitor = start_watched_monitor();
+  const auto simulator = start_simulator();
+  ASSERT_TRUE(listener_.await([&] { return get("/ready").status == 200; }));
+  const Labels cycle{{"loop", "cycle"}, {"source", "101"}};
+  EXPECT_LT(scrape().value("ehm_loop_age_seconds", cycle), 0.25);
+  try {
+    const StoppedThread hung(monitor->pid());
+    ASSERT_TRUE(listener_.await([&] { return get("/ready").status == 503; }));
+    EXPECT_THAT(get("/ready").body, HasSubstr("the cycle thread has stalled for"));
+    ASSERT_TRUE(listener_.await([&] { return scrape().value("ehm_input_age_seconds", engine_1) > 0.5; }));
+    EXPECT_GT(scrape().value("ehm_loop_age_seconds", cycle), 0.25);
+    ASSERT_TRUE(listener_.await([&] { return scrape().value("ehm_status_age_seconds", engine_1) > 1.4; }));
+    EXPECT_THAT(get("/ready").body, HasSubstr("the status of engines [1] is up to"));
+  } catch (const std::runtime_error& e) {
+    GTEST_SKIP() << "this system lets no test stop a thread: " << e.what();
+  }
+  EXPECT_TRUE(listener_.await([&] { return get("/ready").status == 200; })) << get("/ready").body;
 }
 
 TEST_F(MetricsTest, AreWhatDashboardAlertsAndDocumentationName) {

@@ -2,12 +2,14 @@
 // replayed.
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include <csignal>
 #include <cstring>
 #include <filesystem>
 
 #include "deploy/files/csv_table.h"
+#include "deploy/recording/part_files.h"
 #include "deploy/recording/recording_rows.h"
 #include "tests/integration/engine_samples.h"
 #include "tests/integration/pair.h"
@@ -231,18 +233,55 @@ TEST_F(RecordTest, AKilledMonitorLeavesAReadableRecordingAndTheNextGoesOnBesideI
               HasSubstr("engines: [1]"));
 }
 
-TEST_F(RecordTest, AFullDiskEndsTheRecordingAndNotTheMonitor) {
+TEST_F(RecordTest, AFullDiskPausesTheRecordingAndNotTheMonitor) {
   // A limit on the size of files stands for the full disk; 200 blocks of 1024 bytes.
-  const Process monitor({"/bin/bash", "-c",
-                         "trap '' XFSZ; ulimit -f 200; exec '" + monitor_program() + "' --monitor-design '" +
-                             design_file() + "' --dds-domain " + std::to_string(domain_) +
-                             " --monitor-status-period-s 0.1 --record '" + folder_.path("full.h5") + "'"});
+  Process monitor({"/bin/bash", "-c",
+                   "ulimit -S -f 200; exec '" + monitor_program() + "' --monitor-design '" + design_file() +
+                       "' --dds-domain " + std::to_string(domain_) + " --monitor-status-period-s 0.1 --record '" +
+                       folder_.path("full.h5") + "'"});
   fly("60");
   ASSERT_TRUE(listener_.await([&] {
     return listener_.status.back().records_lost() > 0 && listener_.has_event(wire::EventKind::recording, true);
   }));
   EXPECT_TRUE(listener_.await([&] { return listener_.status.back().samples_processed() == 4000u; }));  // it went on
-  EXPECT_THAT(monitor.log(), HasSubstr("recording has ended: " + folder_.path("full.h5")));
+  EXPECT_THAT(monitor.log(), HasSubstr("recording has stopped, the monitor goes on"));
+
+  // Somebody makes room.
+  rlimit room{RLIM_INFINITY, RLIM_INFINITY};
+  ASSERT_EQ(prlimit(monitor.pid(), RLIMIT_FSIZE, &room, nullptr), 0);
+  const std::string next = folder_.path("full.0002.h5");
+  const auto goes_on = [&] { return monitor.log().find("recording goes on in " + next) != std::string::npos; };
+  ASSERT_TRUE(listener_.await(goes_on, seconds(30))) << monitor.log();
+  fly("1.5");
+  ASSERT_TRUE(listener_.await([&] { return listener_.status.back().samples_processed() == 4100u; }));
+  monitor.signal(SIGTERM);
+  ASSERT_TRUE(listener_.await([&] { return !monitor.running(); }));
+  EXPECT_EQ(rows_of(read_rows(next), 1).size(), 100u);
+}
+
+TEST_F(RecordTest, AFolderThatCannotBeWrittenPreventsNoFlight) {
+  const auto monitor = record("nowhere/flight.h5", {"--checkpoint-directory", "/proc/nowhere"});
+  fly("3");
+  EXPECT_TRUE(listener_.await([&] { return listener_.status.back().samples_processed() == 200u; })) << monitor->log();
+  EXPECT_TRUE(listener_.has_event(wire::EventKind::recording, true));
+  EXPECT_TRUE(listener_.has_event(wire::EventKind::checkpoint, true));
+  EXPECT_GE(listener_.status.back().records_lost(), 200u);
+  stop(*monitor);
+}
+
+TEST_F(RecordTest, OnlyItsOwnPartsAreRemovedAndNeverTheFirst) {
+  const std::string others = folder_.file("flight.0050.h5", "somebody's");
+  const auto monitor = record("flight.h5", {"--record-max-mb", "1", "--record-max-files", "2"});
+  fly("300");
+  const auto parts = [&] { return recording::existing_parts(folder_.path("flight.h5")); };
+  ASSERT_TRUE(listener_.await([&] { return parts().back() >= 54; })) << monitor->log();
+  stop(*monitor);
+  EXPECT_EQ(folder_.content("flight.0050.h5"), "somebody's");
+  const std::vector<std::int64_t> left = parts();  // somebody's, the start of the flight, its end
+  ASSERT_EQ(left.size(), 3u);
+  EXPECT_EQ(left[0], 50);
+  EXPECT_EQ(left[1], 51);
+  EXPECT_GE(left[2], 54);
 }
 
 /// A table of the flight's samples as somebody else would write it, in his units, and the map that reads it.
@@ -318,7 +357,7 @@ TEST_F(RecordTest, WhatCannotBeReadOrWrittenIsNamedBeforeAnythingStarts) {
   refused(with(monitor, {"--offline", "nowhere.h5", "--out", out}), "nowhere.h5: no such file");
   refused(with(monitor, {"--offline", text, "--out", out}), "text.csv: cannot read this as a recording");
   refused(with(monitor, {"--offline", text}), "'offline.file' and 'offline.out' need each other");
-  refused(with(monitor, {"--record", folder_.path("no/such/x.h5")}), "x.h5: cannot create the recording");
+  refused(with(monitor, {"--record", folder_.path("no/such/x.h5"), "--check-config"}), "x.h5: cannot be written");
   refused(with(monitor, {"--record-max-mb", "0"}), "'record.max_mb' is 0, allowed is a whole number from 1");
   refused({simulator_program(), "--replay", "nowhere.h5"}, "nowhere.h5: no such file");
   refused({simulator_program(), "--replay", text, "--column-map", "nowhere.toml"}, "nowhere.toml: no such file");

@@ -43,7 +43,7 @@ TEST_F(PermissionTest, NobodyRunsOnWithoutTheFilesThatWereAskedFor) {
   const std::string domain = std::to_string(domain_);
   Process source({EHM_ENGINE_SIM, "--dds-domain", domain, "--dds-security", "/nowhere"});
   EXPECT_EQ(source.wait(seconds(20)), 2);
-  EXPECT_THAT(source.log(), testing::HasSubstr("security file '/nowhere/identity_ca.pem' does not exist"));
+  EXPECT_THAT(source.log(), testing::HasSubstr("security file /nowhere/identity_ca.pem: no such file"));
   // The key of one identity beside the certificate of another.
   const std::string mixed = testing::TempDir() + "ehm-mixed-" + std::to_string(getpid());
   std::filesystem::copy(identity("monitor"), mixed);

@@ -73,7 +73,7 @@ TEST_F(SchemaTest, EachMistakeHasOneMessageWithPlaceKeyValueAndAllowedRange) {
 
 TEST_F(SchemaTest, NamesAMissingFile) {
   EXPECT_EQ(message_of<ConfigError>([&] { schema_.load("nowhere.toml"); }),
-            "nowhere.toml: no such file; name an existing TOML file");
+            "nowhere.toml: no such file. Check the path.");
 }
 
 TEST_F(SchemaTest, EnvironmentIsAboveTheFileAndFlagsAreAboveTheEnvironment) {

@@ -129,7 +129,7 @@ TEST_F(CsvRowsTest, MistakesAreNamedWithLineColumnAndValue) {
   EXPECT_THAT(error_of(good + good), HasSubstr("x.txt:2: column 2 is '0', allowed is a later time"));
   EXPECT_THAT(error_of(""), HasSubstr("x.txt: has no row"));
   EXPECT_THAT(test::message_of<files::FileError>([] { CsvRows("nowhere.txt", example_map()); }),
-              HasSubstr("nowhere.txt: cannot be read"));
+              HasSubstr("nowhere.txt: no such file"));
 }
 
 /// A map of `unit, alt, fuel, T` with the time counted, for rows in every writing.

@@ -37,7 +37,7 @@ class FileReaderTest : public testing::Test {
 
 TEST_F(FileReaderTest, NamesWhatIsNoRecording) {
   EXPECT_THAT(error_of(folder_.path("none.h5")), HasSubstr("none.h5: no such file"));
-  EXPECT_THAT(error_of(folder_.path()), HasSubstr("no such file"));
+  EXPECT_THAT(error_of(folder_.path()), HasSubstr("is a folder, needed is a regular file, a recording"));
   EXPECT_THAT(error_of(folder_.file("text.h5", "engine,cycle\n")),
               HasSubstr("text.h5: cannot read this as a recording"));
   EXPECT_THAT(error_of(folder_.file("empty.h5", "")), HasSubstr("empty.h5: cannot read this as a recording"));

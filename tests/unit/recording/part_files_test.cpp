@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
-
 #include "tests/temporary_folder.h"
 
 namespace {
@@ -22,7 +20,7 @@ TEST(PartFiles, NamesCountUp) {
   EXPECT_EQ(following_part("run.17.h5"), "run.17.0002.h5");  // a name of the user's, not a part
 }
 
-TEST(PartFiles, OnlyOwnPartsAreFoundAndRemoved) {
+TEST(PartFiles, OnlyOwnPartsAreFound) {
   const test::TemporaryFolder folder;
   for (const char* name :
        {"a.h5", "a.0002.h5", "a.0010.h5", "a.0003.txt", "a.x003.h5", "b.0002.h5", "a.0001.h5", "a.02.h5"})
@@ -30,12 +28,6 @@ TEST(PartFiles, OnlyOwnPartsAreFoundAndRemoved) {
   const std::string file = folder.path("a.h5");
   EXPECT_THAT(existing_parts(file), ElementsAre(1, 2, 10));
   EXPECT_EQ(next_part(file), 11);
-  remove_oldest_parts(file, 2);
-  EXPECT_THAT(existing_parts(file), ElementsAre(2, 10));
-  remove_oldest_parts(file, 2);
-  EXPECT_THAT(existing_parts(file), ElementsAre(2, 10));
-  EXPECT_TRUE(std::filesystem::exists(folder.path("b.0002.h5")));
-  EXPECT_TRUE(std::filesystem::exists(folder.path("a.02.h5")));
   EXPECT_EQ(next_part(folder.path("new.h5")), 1);
   EXPECT_EQ(next_part(folder.path("no/folder.h5")), 1);
 }

@@ -120,7 +120,7 @@ TEST(Command, WrongFilesExitWithTwoAndName) {
   const Result absent = run({"check", "/nonexistent/model.json"});
   EXPECT_EQ(absent.code, 2);
   EXPECT_EQ(absent.err,
-            "tuner_design: /nonexistent/model.json: cannot be opened. Check the path and the permissions.\n");
+            "tuner_design: /nonexistent/model.json: no such file. Check the path.\n");
 
   estimation::LinearModel blind = test::made_up_model();
   for (Eigen::MatrixXd* matrix : {&blind.L, &blind.M}) matrix->setZero();

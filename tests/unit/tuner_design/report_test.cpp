@@ -261,7 +261,7 @@ TEST(Report, CommandSaysWhatIsWrong) {
   EXPECT_EQ(run({"report", design}).code, 2);
   const Result absent = run({"report", folder.path("no.json"), "-o", folder.path("r.html")});
   EXPECT_EQ(absent.code, 2);
-  EXPECT_THAT(absent.err, HasSubstr("no.json: cannot be opened"));
+  EXPECT_THAT(absent.err, HasSubstr("no.json: no such file"));
   const Result itself = run({"report", design, "-o", design});
   EXPECT_EQ(itself.code, 2);
   EXPECT_THAT(itself.err, HasSubstr("--out is the design itself"));

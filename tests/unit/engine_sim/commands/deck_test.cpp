@@ -135,7 +135,7 @@ TEST_F(DeckTest, RefusesFilesThatItCannotUse) {
     return test::run_engine_sim({"deck", "--cases", in, "--out", out});
   };
   EXPECT_EQ(run(folder_.path("nowhere.csv"), out_).code, 2);
-  EXPECT_THAT(run(folder_.path("nowhere.csv"), out_).err, HasSubstr("nowhere.csv: cannot be read: No such file"));
+  EXPECT_THAT(run(folder_.path("nowhere.csv"), out_).err, HasSubstr("nowhere.csv: no such file"));
   EXPECT_EQ(run(cases, folder_.path("no/folder.csv")).code, 2);
   EXPECT_THAT(run(cases, folder_.path("no/folder.csv")).err, HasSubstr("folder.csv: cannot be written: No such file"));
   EXPECT_THAT(run(cases, cases).err, HasSubstr("--out is the file of the cases itself"));

@@ -173,7 +173,7 @@ TEST_F(MapsTest, RefusesAReferenceThatIsNone) {
   const auto run = [&](const std::string& reference) {
     return test::run_engine_sim({"maps", "--out", folder_.path("maps"), "--reference", reference});
   };
-  EXPECT_THAT(run(folder_.path("nowhere.csv")).err, HasSubstr("nowhere.csv: cannot be read"));
+  EXPECT_THAT(run(folder_.path("nowhere.csv")).err, HasSubstr("nowhere.csv: no such file"));
   const test::Result no_column = run(folder_.file("a.csv", "Fan_NcMap\n1\n"));
   EXPECT_EQ(no_column.code, 2);
   EXPECT_THAT(no_column.err, HasSubstr("a.csv:1: column 'Fan_WcMap' is missing"));

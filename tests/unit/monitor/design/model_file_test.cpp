@@ -248,7 +248,7 @@ TEST(ModelFile, AbsentFileIsNamed) {
     read_model("/nonexistent/m.json");
     FAIL() << "an absent file was read";
   } catch (const FileError& error) {
-    EXPECT_STREQ(error.what(), "/nonexistent/m.json: cannot be opened. Check the path and the permissions.");
+    EXPECT_STREQ(error.what(), "/nonexistent/m.json: no such file. Check the path.");
   }
 }
 
