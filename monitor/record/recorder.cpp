@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "deploy/files/file_error.h"
@@ -72,9 +73,12 @@ void Recorder::begin_part(recording::Channels channels) {
   make_room();
   recording::FileInfo next = info_;
   ++next.part;
-  const std::string path = recording::part_name(options_.file, recording::next_part(options_.file));
+  // Never a number again that was this recording's, also where its file has been removed.
+  const std::int64_t number = std::max(recording::next_part(options_.file), last_number_ + 1);
+  const std::string path = recording::part_name(options_.file, number);
   writer_ = std::make_unique<recording::Writer>(path, next);
   info_ = std::move(next);
+  last_number_ = number;
   parts_.push_back(path);
   spdlog::info("recording to {}", path);
 }

@@ -57,6 +57,7 @@ class Recorder {
   NoticeBoard& notices_;
   std::unique_ptr<recording::Writer> writer_;         ///< null: the disk refused
   std::vector<std::string> parts_;                    ///< made by this recorder and still there, the oldest first
+  std::int64_t last_number_ = 0;                      ///< of the latest of them
   std::chrono::steady_clock::time_point next_try_;    ///< while there is no writer
   std::mutex mutex_;                                  ///< of known_
   std::map<std::string, recording::Channels> known_;  ///< by the hash of their design
