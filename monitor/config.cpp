@@ -200,6 +200,7 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.text(
       "dds.security", m.security,
       "directory of certificates and permissions that make_security.sh made; empty: no security, anybody may join");
+  schema.flag("dds.security_required", m.security_required, "do not start without dds.security");
   schema.choice("dds.ownership", m.ownership, {"shared", "exclusive"},
                 "of the estimate topics; exclusive for redundant monitors, and their readers must ask for it");
   schema.integer("dds.ownership_strength", m.ownership_strength, 0, 1000000, "",
@@ -227,6 +228,10 @@ void finish_config(const MonitorConfig& m) {
   } catch (const std::invalid_argument& e) {
     throw ConfigError(std::string("'metrics.listen' ") + e.what() + ", empty for none");
   }
+  if (m.security_required && m.security.empty())
+    throw ConfigError(
+        "'dds.security_required' is true, but 'dds.security' names no directory: set it, or "
+        "EHM_DDS_SECURITY, to the identity of this service");
   if (m.offline.file.empty() != m.offline.out.empty())
     throw ConfigError("'offline.file' and 'offline.out' need each other: --offline FILE --out FILE");
   if (m.offline.file.empty() && !m.offline.column_map.empty())

@@ -37,6 +37,7 @@ struct MonitorConfig {
 
   std::int64_t domain = 0;
   std::string partition, profiles_file, profile = "ehm_participant", security;
+  bool security_required = false;
   std::string ownership = "shared";
   std::int64_t ownership_strength = 1;
   double input_deadline_s = 0.0, input_lease_s = 0.0;

@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
     schema.load(line.file);
     monitor::finish_config(config);
     wire::check_security(config.security);
+    wire::check_profile(monitor::service_participant(config));
     spdlog::set_level(spdlog::level::from_str(config.log_level));
     // The flight goes on without what cannot be written; whoever only checks wants to know of it.
     if (line.check_config && !config.checkpoint_directory.empty())

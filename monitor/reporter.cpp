@@ -7,11 +7,11 @@
 
 #include "deploy/service/last_catch.h"
 #include "deploy/service/notify.h"
+#include "idl/printable.h"
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/dds/event_text.h"
 #include "monitor/dds/misfit_text.h"
-#include "monitor/dds/printable.h"
 #include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
@@ -136,8 +136,8 @@ void Reporter::report_source_channel(const Report& report) {
   const ChannelWords said = c.said.words();
   if (c.converted > 0) {
     spdlog::info("engine {}: {} channels of source {} are converted to the design's units, the first {} from {} to {}",
-                 report.engine_id, c.converted, c.source_id, channels.at(i).name, printable(std::string(said.unit)),
-                 channels.at(i).unit);
+                 report.engine_id, c.converted, c.source_id, channels.at(i).name,
+                 wire::printable(std::string(said.unit)), channels.at(i).unit);
     return;
   }
   const char* what = sensor ? "sensor" : "actuator";
@@ -154,7 +154,7 @@ void Reporter::report_source_channel(const Report& report) {
       c.raised ? misfit_text(what, i, said, "source " + std::to_string(c.source_id), channels, c.misfit) +
                      (c.misfit == Misfit::name ? "; it is used" : "; it is not used")
                : fmt::format("{} {} of source {} fits the design", what, channels.at(i).name, c.source_id);
-  event.message() = printable(text).c_str();
+  event.message() = wire::printable(text).c_str();
   publish(event);
 }
 
@@ -185,7 +185,7 @@ void Reporter::say(const Notice& notice) {
   event.source_time_ns(wall_clock_ns());
   event.value(notice.value);
   event.threshold(notice.threshold);
-  event.message() = printable(notice.text).c_str();
+  event.message() = wire::printable(notice.text).c_str();
   publish(event);
 }
 

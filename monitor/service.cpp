@@ -3,12 +3,15 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <functional>
+#include <mutex>
 #include <optional>
 
 #include "deploy/service/notify.h"
 #include "deploy/service/security_watch.h"
 #include "deploy/service/stop_deadline.h"
+#include "idl/dds/security_files.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/cycle_thread.h"
 #include "monitor/export/metrics_endpoint.h"
@@ -74,13 +77,32 @@ struct Shared {
   StatusBoard board;
   std::unique_ptr<ReportQueue> reports = std::make_unique<ReportQueue>();
   TableExchange exchange;
+  std::mutex identity_mutex;
+  wire::IdentityFacts identity;  ///< of the participant that is there
+  std::atomic<std::int64_t> certificate_expires_s{0};
+  std::atomic<bool> identity_changed{false};  ///< its files are others since, valid ones
   service::TurnCounter cycle_turns, reporter_turns;
 };
 
-/// Takes part in DDS with all that hangs on a participant, from `entered` on until a stop is requested (0 is returned) or
-/// others may have dropped us (the seconds that we were held up). `engines` is the table that flies, before and after.
-double take_part(const MonitorConfig& config, EngineTable*& engines, Shared& shared, const CycleLinks& links,
-                 const service::StopSignal& stop, const std::function<void(const RealtimeThread&)>& entered) {
+/// Why a participant is given up.
+struct Parting {
+  double held_up_s = 0.0;  ///< so long that others may have dropped it
+  bool new_identity = false;
+  bool stop() const { return held_up_s == 0.0 && !new_identity; }
+};
+
+/// Takes part in DDS with all that hangs on a participant, from `entered` on until it is to end, or has to be made anew.
+/// `engines` is the table that flies, before and after.
+Parting take_part(const MonitorConfig& config, EngineTable*& engines, Shared& shared, const CycleLinks& links,
+                  const service::StopSignal& stop, const std::function<void(const RealtimeThread&)>& entered) {
+  shared.identity_changed = false;
+  wire::IdentityFacts identity;
+  if (!config.security.empty()) identity = wire::examine_identity(config.security);
+  {
+    const std::lock_guard lock(shared.identity_mutex);
+    shared.identity = identity;
+    shared.certificate_expires_s = identity.expires_s;
+  }
   auto options = watched_participant(config, shared.notices, shared.input);
   auto incidents = service::hear_incidents(options);
   wire::Participant participant = [&] {
@@ -91,20 +113,34 @@ double take_part(const MonitorConfig& config, EngineTable*& engines, Shared& sha
                     shared.input, shared.board, shared.reporter_turns);
   std::optional<service::SecurityWatch> security;
   if (!config.security.empty())
-    security.emplace(participant, std::move(incidents), [&](const auto& text, auto times) {
-      shared.notices.post({wire::EventKind::security, true, service::incident_text(text, times)});
-    });
+    security.emplace(
+        participant, std::move(incidents),
+        [&](const auto& text, auto times) {
+          shared.notices.post({wire::EventKind::security, true, service::incident_text(text, times)});
+        },
+        identity.expires_s);
   CycleThread cycle(participant, config, *engines, links);
   const RealtimeThread realtime(config.realtime);
   entered(realtime);
-  double held_up_s = 0.0;
-  while (!stop.requested() && (held_up_s = participant.held_up_s()) == 0.0) cycle.run_once();
-  if (held_up_s == 0.0) {
+  Parting parting;
+  while (!stop.requested() && parting.stop()) {
+    cycle.run_once();
+    parting = {participant.held_up_s(), shared.identity_changed.load(std::memory_order_relaxed)};
+  }
+  if (stop.requested()) {
+    parting = {};
     service::notify_stopping();
     cycle.stop();
   }
   engines = &cycle.engines();
-  return held_up_s;
+  return parting;
+}
+
+/// At a reload: takes the files of the identity as they are now, if they are others and valid. Throws what is wrong.
+void look_at_identity(const MonitorConfig& config, Shared& shared) {
+  const wire::IdentityFacts now = wire::examine_identity(config.security);
+  const std::lock_guard lock(shared.identity_mutex);
+  if (now.fingerprint != shared.identity.fingerprint) shared.identity_changed = true;
 }
 
 }  // namespace
@@ -120,11 +156,13 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, *engines, shared.notices);
   const auto know = [&](const EngineTable& next) {
     if (recorder) recorder->know(next);
+    if (!config.security.empty()) look_at_identity(config, shared);
   };
   const Reloader reloader(source, std::move(table), shared.exchange, shared.notices,
                           {know, [&] { Reporter::await_reported(shared.reporter_turns); }});
-  const MetricsEndpoint metrics(config.metrics_listen, static_cast<std::uint32_t>(config.source_id), shared.board,
-                                {shared.cycle_turns, shared.reporter_turns, config.status_period_s});
+  const MetricsEndpoint metrics(
+      config.metrics_listen, static_cast<std::uint32_t>(config.source_id), shared.board,
+      {shared.cycle_turns, shared.reporter_turns, config.status_period_s, shared.certificate_expires_s});
   const service::Watchdog watchdog(shared.cycle_turns, "cycle");
   const CycleLinks links{*shared.reports,
                          checkpoints ? &checkpoints->keeper : nullptr,
@@ -132,21 +170,24 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
                          shared.exchange,
                          shared.cycle_turns,
                          monotonic_ns()};
-  double held_up_s = take_part(config, engines, shared, links, stop, [&](const RealtimeThread& realtime) {
+  Parting parting = take_part(config, engines, shared, links, stop, [&](const RealtimeThread& realtime) {
     spdlog::info("monitor {} listens on domain {}, {}, filters for {} engines are ready", config.source_id,
                  config.domain, service::security_text(config.security), engines->size());
     for (const std::string& warning : realtime.warnings()) spdlog::warn("{}", warning);
     service::notify_ready();
   });
-  while (held_up_s > 0.0) {
-    shared.notices.post({wire::EventKind::held_up, true,
-                         fmt::format("held up for {:.1f} s (stopped, or the machine suspended): other participants "
-                                     "have dropped us, joining DDS anew",
-                                     held_up_s),
-                         0, held_up_s, 0.0});
-    held_up_s = take_part(config, engines, shared, links, stop, [&](const RealtimeThread&) {
-      shared.notices.post({wire::EventKind::held_up, false, "has joined DDS anew", 0, 0.0, 0.0});
-    });
+  while (!parting.stop()) {
+    const auto say = [&](bool raised, const std::string& text) {
+      shared.notices.post({parting.new_identity ? wire::EventKind::security : wire::EventKind::held_up, raised, text, 0,
+                           parting.held_up_s, 0.0});
+    };
+    say(true, parting.new_identity
+                  ? "certificates, permissions or revocations have changed: joining DDS anew with the new ones"
+                  : fmt::format("held up for {:.1f} s (stopped, or the machine suspended): other participants have "
+                                "dropped us, joining DDS anew",
+                                parting.held_up_s));
+    parting = take_part(config, engines, shared, links, stop,
+                        [&](const RealtimeThread&) { say(false, "has joined DDS anew"); });
   }
   service::StopDeadline::in_order();
   spdlog::info("stopped in order");

@@ -1,5 +1,6 @@
 #include "deploy/service/security_watch.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include "deploy/service/last_catch.h"
@@ -64,11 +65,13 @@ std::string incident_text(const std::string& text, std::uint64_t times) {
   return "security: " + text + (times > 1 ? " (" + std::to_string(times) + " times)" : "");
 }
 
-SecurityWatch::SecurityWatch(wire::Participant& participant, std::shared_ptr<IncidentBox> box, Say say)
+SecurityWatch::SecurityWatch(wire::Participant& participant, std::shared_ptr<IncidentBox> box, Say say,
+                             std::int64_t expires_s)
     : participant_(participant),
       box_(std::move(box)),
       say_(std::move(say)),
       minute_(steady_clock::now()),
+      expires_s_(expires_s),
       thread_([this] { run(); }) {}
 
 SecurityWatch::~SecurityWatch() {
@@ -90,7 +93,27 @@ void SecurityWatch::run() {
   }
 }
 
+std::string expiry_text(double seconds_left) {
+  constexpr double day_s = 86400.0;
+  const std::string remedy =
+      ": make_security.sh --renew makes a new one; copy the folder and restart, or reload, the service";
+  if (seconds_left <= 0.0)
+    return "the certificate of this service has expired: who joins from now on will not trust it" + remedy;
+  if (seconds_left > 30.0 * day_s) return {};
+  return fmt::format("the certificate of this service expires in {:.1f} days", seconds_left / day_s) + remedy;
+}
+
+/// Once at start, then once a day.
+void SecurityWatch::watch_expiry() {
+  const std::int64_t now_s =
+      std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+  if (expires_s_ == 0 || now_s - expiry_said_s_ < 86400) return;
+  expiry_said_s_ = now_s;
+  if (const std::string text = expiry_text(static_cast<double>(expires_s_ - now_s)); !text.empty()) say_(text, 1);
+}
+
 void SecurityWatch::turn() {
+  watch_expiry();
   participant_.tell_overdue_strangers();
   if (steady_clock::now() - minute_ >= std::chrono::minutes(1)) {
     minute_ = steady_clock::now();

@@ -37,6 +37,8 @@ std::shared_ptr<IncidentBox> hear_incidents(wire::ParticipantOptions& options);
 
 /// What a service says of itself at its start: "secured by DIRECTORY", or that it is not.
 std::string security_text(const std::string& directory);
+/// What is to be said of a certificate that has so long to live; empty while that is more than 30 days.
+std::string expiry_text(double seconds_left);
 /// "security: " and the text, and how often it came if more than once.
 std::string incident_text(const std::string& text, std::uint64_t times);
 
@@ -45,7 +47,8 @@ class SecurityWatch {
   static constexpr int texts_a_minute = 30;
   /// `say` is called on the watch's own thread with each text, and how often it came.
   using Say = std::function<void(const std::string& text, std::uint64_t times)>;
-  SecurityWatch(wire::Participant& participant, std::shared_ptr<IncidentBox> box, Say say);
+  /// `expires_s`: of the own certificate, seconds since 1970; said once a day in its last 30 days.
+  SecurityWatch(wire::Participant& participant, std::shared_ptr<IncidentBox> box, Say say, std::int64_t expires_s);
   ~SecurityWatch();
   SecurityWatch(const SecurityWatch&) = delete;
   SecurityWatch& operator=(const SecurityWatch&) = delete;
@@ -53,6 +56,7 @@ class SecurityWatch {
  private:
   void run();
   void turn();
+  void watch_expiry();
 
   wire::Participant& participant_;
   std::shared_ptr<IncidentBox> box_;
@@ -60,6 +64,7 @@ class SecurityWatch {
   std::map<std::string, std::uint64_t> pending_;  ///< of this minute: said at once, then counted until its end
   std::uint64_t dropped_ = 0;
   std::chrono::steady_clock::time_point minute_;
+  std::int64_t expires_s_, expiry_said_s_ = 0;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stop_ = false;

@@ -11,6 +11,7 @@
 #include "deploy/service/security_watch.h"
 #include "engine_sim/scenario/scenario_file.h"
 #include "idl/dds/participant.h"
+#include "idl/dds/security_files.h"
 
 namespace ehm::engine {
 
@@ -21,8 +22,10 @@ class WatchedParticipant {
     auto incidents = service::hear_incidents(options_);
     participant_.emplace(options_);
     if (!config.security.empty())
-      security_.emplace(*participant_, std::move(incidents),
-                        [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); });
+      security_.emplace(
+          *participant_, std::move(incidents),
+          [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); },
+          wire::examine_identity(config.security).expires_s);
   }
   operator wire::Participant&() { return *participant_; }
   double held_up_s() noexcept { return participant_->held_up_s(); }

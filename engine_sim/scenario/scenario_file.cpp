@@ -183,6 +183,7 @@ void declare(Schema& schema, SimConfig& c) {
   schema.text(
       "dds.security", c.security,
       "directory of certificates and permissions that make_security.sh made; empty: no security, anybody may join");
+  schema.flag("dds.security_required", c.security_required, "do not start without dds.security");
   schema.choice("log.level", c.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
   declare_tables(schema, s);
 }
@@ -230,6 +231,10 @@ void finish_config(SimConfig& c) {
   c.rate_factor();
   if (c.replay.file.empty() && !c.replay.column_map.empty())
     throw ConfigError("'replay.column_map' is for 'replay.file', which is not set");
+  if (c.security_required && c.security.empty())
+    throw ConfigError(
+        "'dds.security_required' is true, but 'dds.security' names no directory: set it, or "
+        "EHM_DDS_SECURITY, to the identity of this service");
   c.scenario.demand.kind = c.demand_kind == "t40_k"          ? DemandKind::t40_k
                            : c.demand_kind == "n1_rpm"       ? DemandKind::n1_rpm
                            : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n

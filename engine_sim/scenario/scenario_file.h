@@ -37,6 +37,7 @@ struct SimConfig {
   std::int64_t wait_for_monitors = 0;
   std::int64_t domain = 0;
   std::string partition, profiles_file, profile = "ehm_participant", security;
+  bool security_required = false;
   std::string log_level = "info";
 
   /// Rate as a number; 0 for "max".

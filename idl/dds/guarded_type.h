@@ -1,5 +1,6 @@
 #pragma once
-// A generated type whose deserialisation refuses what is not of the type, and never throws: the generated code lets
+// A generated type whose deserialisation refuses what is not of the type, puts right what no sample may bring along
+// (tidy.h), and never throws: the generated code lets
 // some exceptions of malformed messages through, and they would end the service from within the middleware. What is
 // refused is counted where an Intake is given.
 
@@ -9,6 +10,7 @@
 
 #include "engine_healthPubSubTypes.h"
 #include "idl/dds/intake.h"
+#include "idl/dds/tidy.h"
 
 namespace ehm::wire {
 
@@ -18,6 +20,7 @@ class GuardedType : public PubSubType {
   explicit GuardedType(std::shared_ptr<Intake> intake = nullptr) : intake_(std::move(intake)) {}
   bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
     const bool done = try_to_deserialize(payload, data);
+    if (done) tidy(*static_cast<typename PubSubType::type*>(data));
     if (!done && intake_) intake_->misfit(payload->length);
     return done;
   }

@@ -10,10 +10,10 @@
 #include <limits>
 #include <optional>
 
+#include "deploy/files/file_error.h"
+#include "deploy/files/input_file.h"
 #include "idl/dds/discovery_listener.h"
 #include "idl/dds/security.h"
-#include "deploy/files/input_file.h"
-#include "deploy/files/file_error.h"
 
 namespace ehm::wire {
 
@@ -85,6 +85,10 @@ double longest_hold_s(const dds::DomainParticipantQos& qos) {
 }
 
 }  // namespace
+
+void check_profile(const ParticipantOptions& options) {
+  if (!options.profiles_file.empty()) profile_from_file(options);
+}
 
 Participant::Participant(ParticipantOptions options) : options_(std::move(options)) {
   create();

@@ -61,6 +61,9 @@ struct ParticipantOptions {
   std::function<void(const MiddlewareMessage&)> on_middleware;
 };
 
+/// Nothing if the profiles file that is named, if any, can be loaded and has the profile. @throws DdsError
+void check_profile(const ParticipantOptions& options);
+
 class DiscoveryListener;
 
 class Participant {

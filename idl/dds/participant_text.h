@@ -6,11 +6,13 @@
 #include <sstream>
 #include <string>
 
+#include "idl/printable.h"
+
 namespace ehm::wire {
 
 inline std::string participant_text(const eprosima::fastrtps::rtps::ParticipantProxyData& participant) {
   std::ostringstream text;
-  text << "'" << participant.m_participantName.c_str() << "'";
+  text << "'" << printable(participant.m_participantName.c_str()) << "'";
   const auto& addresses = participant.metatraffic_locators.unicast;
   if (!addresses.empty()) text << " at " << addresses[0];
   return text.str();

@@ -3,7 +3,7 @@
 // (identity_ca.pem, cert.pem, key.pem), what it may (permissions_ca.pem, governance.p7s, permissions.p7s), and whose
 // certificate is withdrawn (identity_crl.pem, if there is one).
 //
-// @throws DdsError naming the file that is missing or unreadable, or a certificate outside its time of validity.
+// @throws DdsError naming the file that is missing, unreadable, out of time or no match for the others (security_files.h).
 
 #include <fastdds/rtps/common/Property.h>
 
@@ -17,8 +17,5 @@ std::vector<eprosima::fastrtps::rtps::Property> security_properties(const std::s
 
 /// Nothing if the directory is complete, or if none is given; throws what security_properties would.
 void check_security(const std::string& directory);
-
-/// Days until the certificate of this identity expires.
-double certificate_days_left(const std::string& directory);
 
 }  // namespace ehm::wire

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "monitor/export/process_metrics.h"
+#include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
 
@@ -236,6 +237,11 @@ std::string metrics_text(const ServiceView& view) {
                                           MetricType::Gauge, {}, number(heard(view.fleet))));
   for (const StatusMetric& m : service_metrics) families.push_back(fleet.service_family(m));
   for (const StatusMetric& m : engine_metrics) families.push_back(fleet.family(m));
+  if (view.certificate_expires_s != 0)
+    families.push_back(fleet.service_family(
+        "ehm_certificate_expiry_seconds", "Until the certificate of the monitor expires; negative afterwards.",
+        MetricType::Gauge, {},
+        static_cast<double>(view.certificate_expires_s) - 1e-9 * static_cast<double>(wall_clock_ns())));
   families.push_back(loop_ages(view));
   families.push_back(status_ages(fleet, view));
   families.push_back(input_ages(fleet, view));

@@ -16,6 +16,7 @@ struct ServiceView {
   std::uint32_t source_id = 0;
   std::uint64_t cycle_turns = 0;
   Ages ages;
+  std::int64_t certificate_expires_s = 0;  ///< since 1970; 0 without security
 };
 
 /// The text exposition format, version 0.0.4, of the fleet, the service and the process.

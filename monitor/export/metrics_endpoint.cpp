@@ -28,8 +28,8 @@ MetricsEndpoint::MetricsEndpoint(const std::string& listen, std::uint32_t source
     cycle_.look(monotonic_ns());
     reporter_.look(monotonic_ns());
   });
-  server_->on_get("/metrics", [this, &board, source_id] {
-    return service::HttpAnswer{200, metrics_text({board.view(), source_id, cycle_.turns(), ages()}),
+  server_->on_get("/metrics", [this, &board, source_id, &expires_s = loops.certificate_expires_s] {
+    return service::HttpAnswer{200, metrics_text({board.view(), source_id, cycle_.turns(), ages(), expires_s.load()}),
                                "text/plain; version=0.0.4; charset=utf-8"};
   });
   server_->on_get("/health", [this, &board] { return health_answer(board.view(), ages()); });

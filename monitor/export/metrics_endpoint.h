@@ -2,6 +2,8 @@
 // GET /metrics, /health and /ready over HTTP, on a thread of its own (deploy/service/http_server.h). An address that is
 // taken is said with its remedy, and the monitor flies without: what it estimates matters more than who counts it.
 
+#include <atomic>
+#include <cstdint>
 #include <optional>
 
 #include "monitor/export/health_answer.h"
@@ -16,6 +18,7 @@ class MetricsEndpoint {
     const service::TurnCounter& cycle;
     const service::TurnCounter& reporter;
     double status_period_s;
+    const std::atomic<std::int64_t>& certificate_expires_s;  ///< since 1970; 0 without security
   };
   /// `listen`: key metrics.listen, checked by finish_config; empty: no endpoint. All else must outlive this.
   MetricsEndpoint(const std::string& listen, std::uint32_t source_id, const StatusBoard& board, const Loops& loops);

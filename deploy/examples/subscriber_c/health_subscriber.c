@@ -29,7 +29,9 @@ int main(int argc, char **argv) {
       const ehm_EngineHealth *health = samples[i];
       if (!infos[i].valid_data) continue;
       printf("engine %u sample %llu:", health->engine_id, (unsigned long long)health->sequence_number);
-      for (uint32_t k = 0; k < health->health_count; ++k) printf(" %.4f +- %.4f", health->health[k], health->sigma_total[k]);
+      // A count is whatever the sender wrote: never leave the array.
+      const uint32_t count = health->health_count <= EHM_MAX_HEALTH ? health->health_count : 0;
+      for (uint32_t k = 0; k < count; ++k) printf(" %.4f +- %.4f", health->health[k], health->sigma_total[k]);
       printf("\n");
       fflush(stdout);
     }

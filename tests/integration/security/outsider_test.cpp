@@ -6,7 +6,7 @@
 #include <csignal>
 #include <thread>
 
-#include "idl/dds/security.h"
+#include "idl/dds/security_files.h"
 #include "tests/integration/security/secured_pair.h"
 
 namespace {
@@ -89,7 +89,16 @@ TEST_F(OutsiderTest, WithAnExpiredCertificate) {
   make_identity({"--role", "sensor_source", "--name", name, "--valid-for", "4s"});
   // Valid when it joins, which is when its own DDS looks; expired when the monitor comes and looks.
   Outsider outsider(options("expired", identity(name)));
-  while (wire::certificate_days_left(identity(name)) > 0.0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const auto valid = [&] {
+    try {
+      wire::examine_identity(identity(name));
+      return true;
+    } catch (const wire::DdsError& e) {
+      EXPECT_THAT(e.what(), testing::HasSubstr("the certificate has expired"));
+      return false;
+    }
+  };
+  while (valid()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   start_all();
   expect_kept_out(outsider, "expired");
   EXPECT_THROW(wire::Participant(options("late", identity(name))), wire::DdsError);

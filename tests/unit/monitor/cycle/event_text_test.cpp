@@ -1,10 +1,10 @@
+#include "idl/printable.h"
 #include "monitor/dds/event_text.h"
 
 #include <gmock/gmock.h>
 
 #include "monitor/checks/sample_check.h"
 #include "monitor/checks/sample_time_watch.h"
-#include "monitor/dds/printable.h"
 
 #include <cmath>
 
@@ -126,7 +126,7 @@ TEST(EventText, FitsTheWire) {
 }
 
 TEST(Printable, KeepsTextAndNothingElse) {
-  EXPECT_EQ(monitor::printable("state/engine_1.json: 'x' \xff\n\x7f"), "state/engine_1.json: 'x' ???");
+  EXPECT_EQ(wire::printable("state/engine_1.json: 'x' \xff\n\x7f"), "state/engine_1.json: 'x' ???");
 }
 
 }  // namespace
