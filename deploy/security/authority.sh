@@ -7,6 +7,8 @@
 # shellcheck disable=SC2154  # variables of make_security.sh
 
 lock_wait_s=300
+parts=(identity_ca.pem identity_ca.key permissions_ca.pem permissions_ca.key governance.p7s register serial made_with)
+everywhere='copy identity_crl.pem to every machine and restart its services'
 stage=''
 report=() # what is said once it is true
 
@@ -41,15 +43,16 @@ revoke_name() {
   if [ "$valid" -gt 0 ]; then
     change_ca
     revoke_in_register "$1" "$but"
-    report+=("revoked  $1 ($valid of $(wc -l <<<"$issued") certificates); copy identity_crl.pem to every machine and restart its services")
+    report+=("revoked  $1 ($valid of $(wc -l <<<"$issued") certificates); $everywhere")
   else
+    [ -f "$ca/identity_crl.pem" ] || { change_ca; make_list "$ca"; } # all is revoked, and the list was lost
     report+=("kept     $1: every certificate ${but:+but the newest }was revoked before")
   fi
 }
 
 # look_at NAME: what there is of it, as `state` (new, here, revoked, lost), `had` (its last role) and `about` (for people).
 look_at() {
-  local folder=$out/$1 issued serial known
+  local folder=$out/$1 issued known serial subject until
   issued=$(issued_to "$1")
   had=$(awk '{ role = $3 } END { print role }' <<<"$issued")
   known=$(awk 'NF && $1 != "R" { s = "lost" } END { print s }' <<<"$issued")
@@ -58,10 +61,10 @@ look_at() {
   [ "$force" = no ] || [ ! -f "$folder/permissions.p7s" ] || return 0 # is going to be removed
   [ -n "$(ls -A "$folder" 2>/dev/null)" ] || return 0
   [ -f "$folder/cert.pem" ] || fail "'$folder' is there and is no identity, allowed is another --name, or another --out"
-  serial=$(openssl x509 -in "$folder/cert.pem" -noout -serial 2>/dev/null) || broken "'$folder/cert.pem' is not a certificate"
-  known=$(awk -v serial="${serial#serial=}" '$2 == serial { print $1 }' <<<"$issued")
+  read_certificate "$folder/cert.pem" || broken "'$folder/cert.pem' is not a certificate"
+  known=$(awk -v serial="$serial" '$2 == serial { print $1 }' <<<"$issued")
   [ -n "$known" ] || fail "'$folder' was not issued by '$out/ca', allowed is another --name, or --force, which starts over"
-  about="$(subject_of "$folder/cert.pem"), until $(expiry_of "$folder/cert.pem")"
+  about="$subject, until $until"
   [ -n "$had" ] || about+="; of an earlier version, --renew binds its permissions to its key"
   state=here
   [ "$known" != R ] || state=revoked
@@ -74,7 +77,8 @@ provide() {
   look_at "$name"
   if [ "$renew" = yes ] && [ -n "$(issued_to "$name")" ]; then
     [ -n "$asked" ] || role=${had:-$role} # one of each: no role changes unasked
-    [ -n "${role:=$had}" ] || fail "'$name' was made by an earlier version, which did not note its role: --role is needed, allowed are ${allowed[--role]}"
+    [ -n "${role:=$had}" ] ||
+      fail "'$name' is of an earlier version, which did not note its role: --role is needed, allowed is ${allowed[--role]}"
     [[ $keep_old == no || -z $had || $role == "$had" ]] ||
       fail "--keep-old would leave '$name' the role $had beside $role, allowed is the same role, or no --keep-old"
     change_ca
@@ -85,7 +89,7 @@ provide() {
     if [ "$keep_old" = yes ]; then
       report+=("kept     $before certificate(s) of before; --revoke-old $name revokes them")
     elif [ "$before" != 0 ]; then
-      report+=("revoked  $before certificate(s) of before; copy identity_crl.pem to every machine and restart its services")
+      report+=("revoked  $before certificate(s) of before; $everywhere")
     fi
     return
   fi
@@ -114,10 +118,12 @@ is_identity() { [ -f "$1/permissions.p7s" ] && [ ! -L "${1%/}" ]; }
 
 # open_authority: alone from here on, with the authority as `ca`, after whatever an earlier run has left.
 open_authority() {
-  local folder file asked
+  local folder file asked tool
+  for tool in openssl flock awk; do command -v "$tool" >/dev/null || broken "'$tool' is not installed"; done
   out=$(realpath -m -- "$out")
   if [[ -n $revoke || $renew == yes ]]; then
-    [ -d "$out/ca" ] || [ -d "$out/.ready" ] || fail "--out is '$out', allowed is a folder with an authority ('$out/ca') to revoke or renew"
+    [ -d "$out/ca" ] || [ -d "$out/.ready" ] ||
+      fail "--out is '$out', allowed is a folder with an authority ('$out/ca') to revoke or renew"
   fi
   mkdir -p -- "$out" 2>/dev/null || fail "--out is '$out', allowed is a folder that is there or can be made"
   [ -w "$out" ] || fail "--out is '$out', allowed is a folder that you may write"
@@ -139,7 +145,7 @@ open_authority() {
   ca=$out/ca
   [ ! -L "$ca" ] || fail "'$ca' is a symbolic link, allowed is a folder: give the one that it is in with --out"
   if [ "$force" = no ] && [ -n "$(ls -A "$ca" 2>/dev/null)" ]; then
-    for file in identity_ca.pem identity_ca.key permissions_ca.pem permissions_ca.key governance.p7s register serial made_with; do
+    for file in "${parts[@]}"; do
       [ -f "$ca/$file" ] || broken "'$ca/$file' is missing: the authority is incomplete; --force starts over"
     done
     made_with=$(cat "$ca/made_with")

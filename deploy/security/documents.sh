@@ -1,6 +1,6 @@
 # Sourced by make_security.sh: certificates, governance and permissions, and which role may do what.
 # Documents follow OMG DDS Security 1.1, chapter 9.4; they hold no XML comments, because parsers differ about them.
-# shellcheck disable=SC2154  # variables of make_security.sh
+# shellcheck disable=SC2034,SC2154  # variables of make_security.sh and authority.sh
 
 roles=(sensor_source monitor viewer operator)
 ca_days=3650
@@ -28,8 +28,13 @@ may_subscribe() {
 
 # utc SECONDS FORMAT: so many seconds from now.
 utc() { date -u -d "@$(($(date +%s) + $1))" "+$2"; }
-subject_of() { openssl x509 -in "$1" -noout -subject -nameopt RFC2253 | sed 's/^subject=//'; }
-expiry_of() { openssl x509 -in "$1" -noout -enddate | sed 's/^notAfter=//'; }
+# read_certificate FILE: sets serial, subject and until; fails if it is none.
+read_certificate() {
+  local lines
+  lines=$(openssl x509 -in "$1" -noout -serial -subject -enddate -nameopt RFC2253 2>/dev/null) || return
+  { read -r serial; read -r subject; read -r until; } <<<"$lines"
+  serial=${serial#serial=} subject=${subject#subject=} until=${until#notAfter=}
+}
 domain_range() { sed -E 's/.*domains=([0-9]+)-([0-9]+).*/<id_range><min>\1<\/min><max>\2<\/max><\/id_range>/' <<<"$1"; }
 
 # quietly COMMAND...: shows what it says only when it fails.
@@ -163,7 +168,7 @@ END
 # the subject has role and generation: permissions of another role or of an earlier key fit this key no more than this
 # one's fit an earlier key.
 make_identity() {
-  local identity=$1 role=$2 name=$3 generation
+  local identity=$1 role=$2 name=$3 generation serial subject until
   generation=$(($(issued_to "$name" | wc -l) + 1))
   mkdir "$identity"
   new_key "$identity/key.pem"
@@ -172,9 +177,9 @@ make_identity() {
   openssl_ca "$ca" -batch -notext -in request -out "$identity/cert.pem" \
     -startdate "$(utc -$back_date_s %Y%m%d%H%M%SZ)" -enddate "$(utc "$valid_s" %Y%m%d%H%M%SZ)"
   rm "$ca/request"
-  about="$(subject_of "$identity/cert.pem")"
-  permissions "$role" "$name" "$about" "$made_with" "$valid_s" >"$identity/permissions.xml"
-  about+=", until $(expiry_of "$identity/cert.pem")"
+  read_certificate "$identity/cert.pem"
+  about="$subject, until $until"
+  permissions "$role" "$name" "$subject" "$made_with" "$valid_s" >"$identity/permissions.xml"
   sign_document "$ca" "$identity/permissions.xml" "$identity/permissions.p7s"
   cp "$ca/identity_ca.pem" "$ca/permissions_ca.pem" "$ca/governance.p7s" "$identity"
   [ ! -f "$ca/identity_crl.pem" ] || cp "$ca/identity_crl.pem" "$identity"

@@ -49,13 +49,14 @@ allowed[--revoke]=${allowed[--name]}
 allowed[--revoke-old]=${allowed[--name]}
 wrong() { fail "$1 is '${given[$1]}', allowed is ${2:-${allowed[$1]}}"; }
 
+options='--out, --role, --name, --protection, --domains, --valid-for, --renew, --keep-old, --revoke, --revoke-old, --force, --help'
 declare -A given=()
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --renew | --keep-old | --force) given[$1]=yes; shift; continue ;;
     --out | --role | --name | --protection | --domains | --valid-for | --revoke | --revoke-old) ;;
-    *) fail "unknown argument '$1', allowed are --out, --role, --name, --protection, --domains, --valid-for, --renew, --keep-old, --revoke, --revoke-old, --force, --help" ;;
+    *) fail "unknown argument '$1', allowed are $options" ;;
   esac
   [ $# -ge 2 ] || fail "option '$1' needs a value: ${allowed[$1]}"
   [ -z "${given[$1]+set}" ] || fail "option '$1' is given twice ('${given[$1]}', '$2'), allowed is once"
@@ -71,7 +72,8 @@ revoke=${given[--revoke]-${given[--revoke-old]-}}
 [[ $out != *[[:cntrl:]]* ]] || wrong --out 'a folder without control characters in its name'
 [ -z "$role" ] || is_role "$role" || wrong --role
 for option in --name --revoke --revoke-old; do
-  [[ -z ${given[$option]-} || ${given[$option]} =~ ^[A-Za-z0-9_][A-Za-z0-9._-]{0,59}$ && ${given[$option]} != ca ]] || wrong $option
+  [[ -z ${given[$option]-} || ${given[$option]} =~ ^[A-Za-z0-9_][A-Za-z0-9._-]{0,59}$ && ${given[$option]} != ca ]] ||
+    wrong $option
 done
 [[ -z $protection || $protection == sign || $protection == encrypt ]] || wrong --protection
 domains=''
@@ -87,11 +89,13 @@ valid_s=$((BASH_REMATCH[1] * unit_s))
 [ "$valid_s" -le $((ca_days * 86400)) ] || wrong --valid-for "at most ${ca_days}d, as the CA itself"
 if [ -n "$revoke" ]; then
   for option in "${!given[@]}"; do
-    [[ $option == --out || $option == --revoke* ]] || fail "$option does not go with --revoke or --revoke-old, allowed is --out"
+    [[ $option == --out || $option == --revoke* ]] ||
+      fail "$option does not go with --revoke or --revoke-old, allowed is --out"
   done
-  [[ -z ${given[--revoke]-} || -z ${given[--revoke-old]-} ]] || fail "--revoke and --revoke-old are given, allowed is one of them"
+  [[ -z ${given[--revoke]-} || -z ${given[--revoke-old]-} ]] ||
+    fail "--revoke and --revoke-old are given, allowed is one of them"
 fi
-[[ -z $name || -n $role || $renew == yes ]] || fail "--name needs --role, allowed are ${allowed[--role]}"
+[[ -z $name || -n $role || $renew == yes ]] || fail "--name needs --role, allowed is ${allowed[--role]}"
 [[ $keep_old == no || $renew == yes ]] || fail "--keep-old needs --renew"
 [[ $force == no || $renew == no ]] || fail "--force makes everything anew, and does not go with --renew"
 

@@ -30,15 +30,20 @@ sound() {
   local dir=$1 when=$2 folder valid=0 left certificate
   left=$(find "$dir" \( -name '.staging*' -o -name .ready -o -name 'new.*' -o -name '*.new' -o -name request \))
   [ -z "$left" ] || wrong "$when: left behind: $left"
-  [ "$(find "$dir/ca/issued" -type f | wc -l)" = "$(wc -l <"$dir/ca/register")" ] || wrong "$when: not everything that was issued is in the register"
+  [ "$(find "$dir/ca/issued" -type f | wc -l)" = "$(wc -l <"$dir/ca/register")" ] ||
+    wrong "$when: not everything that was issued is in the register"
   for folder in "$dir"/*/; do
     [ "$folder" != "$dir/ca/" ] || continue
     folder=${folder%/}
-    openssl verify -CAfile "$dir/ca/identity_ca.pem" "$folder/cert.pem" >/dev/null 2>&1 || wrong "$when: $folder: certificate"
+    openssl verify -CAfile "$dir/ca/identity_ca.pem" "$folder/cert.pem" >/dev/null 2>&1 ||
+      wrong "$when: $folder: certificate"
     certificate=$(openssl x509 -in "$folder/cert.pem" -noout -serial -subject -pubkey -nameopt RFC2253 2>&1)
-    [[ $certificate == *"$(openssl pkey -in "$folder/key.pem" -pubout 2>&1)"* ]] || wrong "$when: $folder: key of another certificate"
-    [[ $certificate$'\n' == *"subject=$(signed_subject "$folder")"$'\n'* ]] || wrong "$when: $folder: permissions of another certificate"
-    cmp -s "$dir/ca/identity_crl.pem" "$folder/identity_crl.pem" || [ ! -f "$dir/ca/identity_crl.pem" ] || wrong "$when: $folder: an old list"
+    [[ $certificate == *"$(openssl pkey -in "$folder/key.pem" -pubout 2>&1)"* ]] ||
+      wrong "$when: $folder: key of another certificate"
+    [[ $certificate$'\n' == *"subject=$(signed_subject "$folder")"$'\n'* ]] ||
+      wrong "$when: $folder: permissions of another certificate"
+    cmp -s "$dir/ca/identity_crl.pem" "$folder/identity_crl.pem" || [ ! -f "$dir/ca/identity_crl.pem" ] ||
+      wrong "$when: $folder: an old list"
     ! grep -q "^V.*$(sed -n 's/^serial=//p' <<<"$certificate")" "$dir/ca/register" || valid=$((valid + 1))
   done
   [ "$(grep -c ^V "$dir/ca/register")" = "$valid" ] || wrong "$when: a certificate is valid that nobody has"
@@ -66,13 +71,18 @@ run --out s --role viewer --renew --keep-old
 cp -r s/viewer old/viewer-4
 run --out s --revoke viewer
 for each in old/viewer-*; do accepted s "$each/cert.pem" && wrong "--revoke: $each is accepted"; done
-[ "$(openssl crl -in s/ca/identity_crl.pem -noout -text | grep -c 'Serial Number')" = 4 ] || wrong "--revoke: not four in the list"
+[ "$(openssl crl -in s/ca/identity_crl.pem -noout -text | grep -c 'Serial Number')" = 4 ] ||
+  wrong "--revoke: not four in the list"
 for each in s/*/cert.pem; do
   cmp -s s/ca/identity_crl.pem "$(dirname "$each")/identity_crl.pem" || wrong "--revoke: $each has an old list"
 done
 before=$(cat s/ca/register)
 run --out s --revoke viewer
 [ "$before" = "$(cat s/ca/register)" ] || wrong "--revoke, again: something changed"
+rm s/ca/identity_crl.pem s/monitor/identity_crl.pem
+run --out s --revoke viewer
+for each in old/viewer-*; do accepted s "$each/cert.pem" && wrong "--revoke, with a lost list: $each is accepted"; done
+cmp -s s/ca/identity_crl.pem s/monitor/identity_crl.pem || wrong "--revoke, with a lost list: not handed out"
 checked "--keep-old, --revoke-old; --revoke revokes all four that the name ever had"
 
 cp -r s/operator old/operator-1
@@ -96,13 +106,16 @@ run --out r --role operator
 cp -r r/operator old/role-1
 before=$(find r -type f ! -name .lock -exec sha256sum {} + | sort)
 said=$("$script" --out r --role viewer --name operator 2>&1) && wrong "another role without --renew: accepted"
-[[ $said == *"has the role operator, not viewer; --renew"* && $(wc -l <<<"$said") = 1 ]] || wrong "another role without --renew: $said"
-[ "$before" = "$(find r -type f ! -name .lock -exec sha256sum {} + | sort)" ] || wrong "another role without --renew: something changed"
+[[ $said == *"has the role operator, not viewer; --renew"* && $(wc -l <<<"$said") = 1 ]] ||
+  wrong "another role without --renew: $said"
+[ "$before" = "$(find r -type f ! -name .lock -exec sha256sum {} + | sort)" ] ||
+  wrong "another role without --renew: something changed"
 run --out r --role viewer --name operator --renew
 cp -r r/operator old/role-2
 run --out r --renew # one of each: the role stays
 cp -r r/operator old/role-3
-[ "$(grep -c '<publish>' r/operator/permissions.xml)" = 0 ] || wrong "--renew of one of each gives a role back that was taken"
+[ "$(grep -c '<publish>' r/operator/permissions.xml)" = 0 ] ||
+  wrong "--renew of one of each gives a role back that was taken"
 run --out r --name operator --renew
 [[ $(subject r/operator) == "CN=operator,OU=viewer generation 4,"* ]] || wrong "--renew by name: the role does not stay"
 [ "$(grep -c '<publish>' r/operator/permissions.xml)" = 0 ] || wrong "the role is not taken away"
@@ -110,7 +123,8 @@ for key in 1 2 3; do
   for permissions in 1 2 3; do
     fits=no
     [ "$(subject old/role-$key)" != "$(signed_subject old/role-$permissions)" ] || fits=yes
-    [ "$fits" = "$([ $key = $permissions ] && echo yes || echo no)" ] || wrong "permissions $permissions with key $key: fits: $fits"
+    [ "$fits" = "$([ $key = $permissions ] && echo yes || echo no)" ] ||
+      wrong "permissions $permissions with key $key: fits: $fits"
   done
 done
 accepted r old/role-1/cert.pem && wrong "the key of the old role is accepted"
@@ -123,7 +137,7 @@ checked "permissions fit the key of their own generation only; another role need
 mkdir shim
 for command in mv cp rm rmdir mkdir mktemp chmod install sync; do
   # shellcheck disable=SC2016  # the shim's variables
-  printf '#!/bin/sh\necho %s >>"$EHM_COUNT"\n[ "$(wc -l <"$EHM_COUNT")" -ne "$EHM_KILL_AT" ] || kill -KILL 0\nexec %s "$@"\n' \
+  printf '#!/bin/sh\necho %s >>"$EHM_COUNT"\nn=0\nwhile read -r _; do n=$((n + 1)); done <"$EHM_COUNT"\n[ $n -ne "$EHM_KILL_AT" ] || kill -KILL 0\nexec %s "$@"\n' \
     $command "$(command -v $command)" >shim/$command
   chmod +x shim/$command
 done
@@ -201,7 +215,8 @@ sound p "at one time"
 "$script" --out p --role viewer --name p2 --renew >/dev/null 2>&1 &
 wait
 sound p "revoked and renewed at one time"
-[ "$(openssl crl -in p/ca/identity_crl.pem -noout -text | grep -c 'Serial Number')" = 2 ] || wrong "at one time: a revocation is lost"
+[ "$(openssl crl -in p/ca/identity_crl.pem -noout -text | grep -c 'Serial Number')" = 2 ] ||
+  wrong "at one time: a revocation is lost"
 checked "runs at one time: all are issued, by one authority; no revocation is lost"
 
 # --- odd names, wrong usage ---
@@ -210,7 +225,8 @@ refused() {
   local text=$1 code=0 message
   shift
   message=$("$script" "$@" 2>&1) || code=$?
-  [[ $code == 2 && $(wc -l <<<"$message") == 1 && $message == "make_security: "*"$text"* ]] || wrong "$(printf '%q ' "$@")gave $code: $message"
+  [[ $code == 2 && $(wc -l <<<"$message") == 1 && $message == "make_security: "*"$text"* ]] ||
+    wrong "$(printf '%q ' "$@")gave $code: $message"
 }
 tree() { find . -path ./p/.lock -prune -o -type f -print0 | sort -z | xargs -0 sha256sum; }
 tree >"$work.tree"
@@ -259,7 +275,8 @@ sound copy "odd characters in --out"
 made=(o*)
 [[ -f $odd/-x/viewer/cert.pem && "${made[*]}" == "$odd old" ]] || wrong "odd characters in --out: another place"
 run --out d --role viewer --domains 010-020
-[[ $(cat d/ca/made_with d/viewer/permissions.xml) == *"domains=10-20"*"<min>10</min><max>20</max>"* ]] || wrong "--domains 010-020: $(cat d/ca/made_with)"
+[[ $(cat d/ca/made_with d/viewer/permissions.xml) == *"domains=10-20"*"<min>10</min><max>20</max>"* ]] ||
+  wrong "--domains 010-020: $(cat d/ca/made_with)"
 run --out d --domains 10-020
 checked "odd characters in --out; --domains 010-020 is decimal"
 
