@@ -24,11 +24,13 @@ issued_names() { sed 's:.*/CN=::' "$ca/register" | sort -u | paste -sd ' '; }
 
 # revoke_in_register NAME SERIAL: all of NAME but that one. The register is enough: a folder may be lost, a file not.
 revoke_in_register() {
-  local now
+  local now lines
   now=$(utc 0 %y%m%d%H%M%SZ)
   awk -F'\t' -v OFS='\t' -v end="/CN=$1" -v but="$2" -v now="$now" '
     $1 != "R" && $4 != but && substr($6, length($6) - length(end) + 1) == end { $1 = "R"; $3 = now } { print }' \
-    "$ca/register" >"$ca/register.new"
+    "$ca/register" >"$ca/register.new" || broken "'$ca/register.new' cannot be written"
+  lines=$(wc -l <"$ca/register")
+  [ "$(wc -l <"$ca/register.new")" = "$lines" ] || broken "'$ca/register.new' was not written; is the disk full?"
   mv "$ca/register.new" "$ca/register"
   make_list "$ca"
 }

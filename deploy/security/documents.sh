@@ -45,9 +45,12 @@ quietly() {
 
 new_key() { quietly openssl genpkey -algorithm EC -pkeyopt ec_paramgen_curve:P-256 -pkeyopt ec_param_enc:named_curve -out "$1"; }
 
+# On a full disk openssl leaves half a file and says nothing: what it has written is read before it counts.
+
 # sign_document CA XML P7S: S/MIME with the content inside, as the specification asks.
 sign_document() {
   quietly openssl smime -sign -in "$2" -text -out "$3" -signer "$1/permissions_ca.pem" -inkey "$1/permissions_ca.key"
+  quietly openssl smime -verify -in "$3" -CAfile "$1/permissions_ca.pem" -out /dev/null
 }
 
 # make_ca DIR: two authorities (who you are, what you may), the governance, an empty register.
@@ -177,7 +180,10 @@ make_identity() {
   openssl_ca "$ca" -batch -notext -in request -out "$identity/cert.pem" \
     -startdate "$(utc -$back_date_s %Y%m%d%H%M%SZ)" -enddate "$(utc "$valid_s" %Y%m%d%H%M%SZ)"
   rm "$ca/request"
-  read_certificate "$identity/cert.pem"
+  if ! read_certificate "$identity/cert.pem" || ! grep -q "^V.*[[:space:]]${serial}[[:space:]].*/CN=$name\$" "$ca/register" ||
+    [ ! -s "$ca/serial" ]; then
+    broken "'$identity/cert.pem' or its entry in the register was not written; is the disk full?"
+  fi
   about="$subject, until $until"
   permissions "$role" "$name" "$subject" "$made_with" "$valid_s" >"$identity/permissions.xml"
   sign_document "$ca" "$identity/permissions.xml" "$identity/permissions.p7s"
@@ -189,4 +195,7 @@ make_identity() {
 }
 
 # make_list CA: of the revoked. Back-dated as certificates are: where a clock is behind, a list of the future accepts nobody.
-make_list() { openssl_ca "$1" -gencrl -out identity_crl.pem -crl_lastupdate "$(utc -$back_date_s %Y%m%d%H%M%SZ)"; }
+make_list() {
+  openssl_ca "$1" -gencrl -out identity_crl.pem -crl_lastupdate "$(utc -$back_date_s %Y%m%d%H%M%SZ)"
+  quietly openssl crl -in "$1/identity_crl.pem" -noout
+}
