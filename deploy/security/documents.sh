@@ -1,5 +1,6 @@
 # Sourced by make_security.sh: certificates, governance and permissions, and which role may do what.
 # Documents follow OMG DDS Security 1.1, chapter 9.4; they hold no XML comments, because parsers differ about them.
+# shellcheck disable=SC2034,SC2154  # variables of make_security.sh and authority.sh
 
 roles=(sensor_source monitor viewer operator)
 ca_days=3650
@@ -27,26 +28,34 @@ may_subscribe() {
 
 # utc SECONDS FORMAT: so many seconds from now.
 utc() { date -u -d "@$(($(date +%s) + $1))" "+$2"; }
-subject_of() { openssl x509 -in "$1" -noout -subject -nameopt RFC2253 | sed 's/^subject=//'; }
-expiry_of() { openssl x509 -in "$1" -noout -enddate | sed 's/^notAfter=//'; }
+# read_certificate FILE: sets serial, subject and until; fails if it is none.
+read_certificate() {
+  local lines
+  lines=$(openssl x509 -in "$1" -noout -serial -subject -enddate -nameopt RFC2253 2>/dev/null) || return
+  { read -r serial; read -r subject; read -r until; } <<<"$lines"
+  serial=${serial#serial=} subject=${subject#subject=} until=${until#notAfter=}
+}
 domain_range() { sed -E 's/.*domains=([0-9]+)-([0-9]+).*/<id_range><min>\1<\/min><max>\2<\/max><\/id_range>/' <<<"$1"; }
 
 # quietly COMMAND...: shows what it says only when it fails.
 quietly() {
   local said
-  said=$("$@" 2>&1) || { echo "make_security: $* failed:" >&2; echo "$said" >&2; exit 1; }
+  said=$("$@" 2>&1) || broken "$* failed: ${said//$'\n'/; }"
 }
 
 new_key() { quietly openssl genpkey -algorithm EC -pkeyopt ec_paramgen_curve:P-256 -pkeyopt ec_param_enc:named_curve -out "$1"; }
 
+# On a full disk openssl leaves half a file and says nothing: what it has written is read before it counts.
+
 # sign_document CA XML P7S: S/MIME with the content inside, as the specification asks.
 sign_document() {
   quietly openssl smime -sign -in "$2" -text -out "$3" -signer "$1/permissions_ca.pem" -inkey "$1/permissions_ca.key"
+  quietly openssl smime -verify -in "$3" -CAfile "$1/permissions_ca.pem" -out /dev/null
 }
 
-# make_ca DIR MADE_WITH: two authorities (who you are, what you may), the governance, an empty register.
+# make_ca DIR: two authorities (who you are, what you may), the governance, an empty register.
 make_ca() {
-  local ca=$1 made_with=$2 kind
+  local ca=$1 kind
   mkdir -p "$ca/issued"
   for kind in identity permissions; do
     new_key "$ca/${kind}_ca.key"
@@ -62,22 +71,25 @@ make_ca() {
   echo "$made_with" >"$ca/made_with"
 }
 
+# openssl_ca DIR OPTION...: within DIR, because its path may have characters that mean something in a configuration.
+openssl_ca() { (cd "$1" && quietly openssl ca -config <(openssl_configuration) "${@:2}"); }
 openssl_configuration() {
   cat <<END
 [ca]
 default_ca = identity
 [identity]
-database = $1/register
-serial = $1/serial
-new_certs_dir = $1/issued
-certificate = $1/identity_ca.pem
-private_key = $1/identity_ca.key
+database = ./register
+serial = ./serial
+new_certs_dir = ./issued
+certificate = ./identity_ca.pem
+private_key = ./identity_ca.key
 default_md = sha256
 default_crl_days = $ca_days
 policy = names
 x509_extensions = participant
 [names]
 organizationName = supplied
+organizationalUnitName = supplied
 commonName = supplied
 [participant]
 basicConstraints = critical,CA:FALSE
@@ -155,28 +167,35 @@ $(rule subscribe $(may_subscribe "$1"))
 END
 }
 
-# make_identity CA DIR ROLE NAME VALID_S: built beside and moved into place, so that no half identity is ever there.
+# make_identity DIR ROLE NAME: sets `about` (for people). Permissions fit a certificate by its subject, letter by letter. So
+# the subject has role and generation: permissions of another role or of an earlier key fit this key no more than this
+# one's fit an earlier key.
 make_identity() {
-  local ca=$1 identity=$2 role=$3 name=$4 valid_s=$5 made_with work
-  made_with=$(cat "$ca/made_with")
-  work=$(mktemp -d "$ca/new.XXXXXX")
-  new_key "$work/key.pem"
-  quietly openssl req -new -key "$work/key.pem" -sha256 -subj "/O=engine health monitor/CN=$name" -out "$work/request"
-  quietly openssl ca -config <(openssl_configuration "$ca") -batch -notext -in "$work/request" -out "$work/cert.pem" \
+  local identity=$1 role=$2 name=$3 generation serial subject until
+  generation=$(($(issued_to "$name" | wc -l) + 1))
+  mkdir "$identity"
+  new_key "$identity/key.pem"
+  quietly openssl req -new -key "$identity/key.pem" -sha256 -out "$ca/request" \
+    -subj "/O=engine health monitor/OU=$role generation $generation/CN=$name"
+  openssl_ca "$ca" -batch -notext -in request -out "$identity/cert.pem" \
     -startdate "$(utc -$back_date_s %Y%m%d%H%M%SZ)" -enddate "$(utc "$valid_s" %Y%m%d%H%M%SZ)"
-  permissions "$role" "$name" "$(subject_of "$work/cert.pem")" "$made_with" "$valid_s" >"$work/permissions.xml"
-  sign_document "$ca" "$work/permissions.xml" "$work/permissions.p7s"
-  cp "$ca/identity_ca.pem" "$ca/permissions_ca.pem" "$ca/governance.p7s" "$work"
-  [ ! -f "$ca/identity_crl.pem" ] || cp "$ca/identity_crl.pem" "$work"
-  rm "$work/request"
-  chmod 0755 "$work"
-  chmod 0644 "$work"/*
-  chmod 0600 "$work/key.pem"
-  rm -rf "$identity"
-  mv "$work" "$identity"
+  rm "$ca/request"
+  if ! read_certificate "$identity/cert.pem" || ! grep -q "^V.*[[:space:]]${serial}[[:space:]].*/CN=$name\$" "$ca/register" ||
+    [ ! -s "$ca/serial" ]; then
+    broken "'$identity/cert.pem' or its entry in the register was not written; is the disk full?"
+  fi
+  about="$subject, until $until"
+  permissions "$role" "$name" "$subject" "$made_with" "$valid_s" >"$identity/permissions.xml"
+  sign_document "$ca" "$identity/permissions.xml" "$identity/permissions.p7s"
+  cp "$ca/identity_ca.pem" "$ca/permissions_ca.pem" "$ca/governance.p7s" "$identity"
+  [ ! -f "$ca/identity_crl.pem" ] || cp "$ca/identity_crl.pem" "$identity"
+  chmod 0755 "$identity"
+  chmod 0644 "$identity"/*
+  chmod 0600 "$identity/key.pem"
 }
 
-revoke_certificate() {
-  quietly openssl ca -config <(openssl_configuration "$1") -revoke "$2"
-  quietly openssl ca -config <(openssl_configuration "$1") -gencrl -out "$1/identity_crl.pem"
+# make_list CA: of the revoked. Back-dated as certificates are: where a clock is behind, a list of the future accepts nobody.
+make_list() {
+  openssl_ca "$1" -gencrl -out identity_crl.pem -crl_lastupdate "$(utc -$back_date_s %Y%m%d%H%M%SZ)"
+  quietly openssl crl -in "$1/identity_crl.pem" -noout
 }

@@ -42,13 +42,13 @@ before=$(sum)
 openssl crl -in s/monitor/identity_crl.pem -noout -text | grep -q 'Serial Number' || fail "nothing is revoked"
 
 refused "--force starts over" --out s --protection sign
-refused "allowed are: sensor_source" --out s --role pilot
+refused "allowed is sensor_source, monitor, viewer or operator" --out s --role pilot
 refused "--name is '../x'" --out s --role viewer --name ../x
 refused "--valid-for is '5 years'" --out s --valid-for '5 years'
 refused "--domains is '9-3'" --out s --domains 9-3
-refused "there is no 's/nobody/cert.pem'" --out s --revoke nobody
-refused "--out DIR is missing"
-refused "unknown option '--fast'" --fast
+refused "allowed are: monitor operator sensor_source viewer" --out s --revoke nobody
+refused "--out is missing"
+refused "unknown argument '--fast'" --fast
 
 "$script" --out s --force >/dev/null
 openssl verify -CAfile s/ca/identity_ca.pem s/monitor/cert.pem >/dev/null || fail "after --force"

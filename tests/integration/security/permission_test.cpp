@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "tests/integration/security/secured_pair.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -53,6 +54,23 @@ TEST_F(PermissionTest, NobodyRunsOnWithoutTheFilesThatWereAskedFor) {
   EXPECT_EQ(monitor.wait(seconds(20)), 1);
   EXPECT_THAT(monitor.log(), testing::HasSubstr("the security files in '" + mixed + "' are refused"));
   std::filesystem::remove_all(mixed);
+}
+
+// A role that was taken away: what was signed for the earlier key of this name is worthless beside the new one.
+TEST_F(PermissionTest, ThoseOfAnEarlierKeyOfTheSameNameAreRefused) {
+  const std::string name = "changed-" + std::to_string(getpid());
+  const TemporaryFolder kept;
+  const std::string permissions = kept.path("permissions.p7s");
+  make_identity({"--role", "sensor_source", "--name", name});
+  std::filesystem::copy_file(identity(name) + "/permissions.p7s", permissions);
+  make_identity({"--role", "viewer", "--name", name, "--renew"});
+  const std::string mixed = kept.path("mixed");
+  std::filesystem::copy(identity(name), mixed);
+  std::filesystem::copy_file(permissions, mixed + "/permissions.p7s",
+                             std::filesystem::copy_options::overwrite_existing);
+  Process source({EHM_ENGINE_SIM, "--dds-domain", std::to_string(domain_), "--dds-security", mixed});
+  EXPECT_EQ(source.wait(seconds(20)), 1);
+  EXPECT_THAT(source.log(), testing::HasSubstr("the security files in '" + mixed + "' are refused"));
 }
 
 TEST_F(PermissionTest, AViewerMayNotPublishSensors) {
