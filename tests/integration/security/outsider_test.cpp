@@ -84,6 +84,30 @@ TEST_F(OutsiderTest, WithAnIdentityOfAnotherAuthority) {
   expect_kept_out(options("impostor", identity_of_another_authority("sensor_source")));
 }
 
+TEST_F(OutsiderTest, WhoIsRevokedInFlightIsDroppedAtAReload) {
+  const std::string name = "thief-" + std::to_string(getpid());
+  make_identity({"--role", "sensor_source", "--name", name});
+  monitor_ = start_monitor();
+  simulator_ = start_simulator({"--dds-security", identity(name)});
+  viewer_ = std::make_unique<Viewer>(options("viewer", identity("viewer")));
+  ASSERT_TRUE(viewer_->await([&] { return viewer_->health.size() > 50; })) << monitor_->log();
+  make_identity({"--revoke", name});
+  EXPECT_TRUE(goes_on());  // nobody has looked yet
+  monitor_->signal(SIGHUP);
+  ASSERT_TRUE(viewer_->await([&] { return !viewer_->security_event("joining DDS anew with the new ones").empty(); }))
+      << monitor_->log();
+  EXPECT_TRUE(viewer_->await([&] { return !viewer_->security_event("has joined DDS anew").empty(); }));
+  // The thief tries again and again; the monitor hears nothing of it.
+  ASSERT_TRUE(viewer_->await([&] {
+    return viewer_->status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale);
+  })) << monitor_->log();
+  viewer_->health.clear();
+  EXPECT_TRUE(viewer_->await([&] {
+    return !viewer_->security_event(name).empty() || !viewer_->security_event("engine_sim").empty();
+  })) << monitor_->log();
+  EXPECT_TRUE(viewer_->health.empty());
+}
+
 TEST_F(OutsiderTest, WithAnExpiredCertificate) {
   const std::string name = "short-" + std::to_string(getpid());
   make_identity({"--role", "sensor_source", "--name", name, "--valid-for", "4s"});

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "tests/integration/security/secured_pair.h"
 #include "tests/temporary_folder.h"
@@ -51,8 +52,32 @@ TEST_F(PermissionTest, NobodyRunsOnWithoutTheFilesThatWereAskedFor) {
   std::filesystem::copy_file(identity("viewer") + "/key.pem", mixed + "/key.pem",
                              std::filesystem::copy_options::overwrite_existing);
   Process monitor({EHM_MONITOR, "--dds-domain", domain, "--dds-security", mixed, "--monitor-design", EHM_DESIGN_FILE});
-  EXPECT_EQ(monitor.wait(seconds(20)), 1);
-  EXPECT_THAT(monitor.log(), testing::HasSubstr("the security files in '" + mixed + "' are refused"));
+  EXPECT_EQ(monitor.wait(seconds(20)), 2);
+  EXPECT_THAT(monitor.log(), testing::HasSubstr(mixed + "/key.pem: is not the key of cert.pem beside it"));
+
+  // Each other file, spoilt: found by --check-config, by name.
+  const auto refused = [&](const std::string& file, const std::string& content, const std::string& why) {
+    std::filesystem::remove_all(mixed);
+    std::filesystem::copy(identity("monitor"), mixed);
+    std::ofstream(mixed + file) << content;
+    Process check({EHM_MONITOR, "--dds-security", mixed, "--monitor-design", EHM_DESIGN_FILE, "--check-config"});
+    EXPECT_EQ(check.wait(seconds(20)), 2) << file;
+    EXPECT_THAT(check.log(), testing::HasSubstr(mixed + file + ": " + why));
+  };
+  refused("/cert.pem", "no certificate", "is not an X.509 certificate in PEM");
+  refused("/identity_ca.pem", "", "is empty");
+  refused("/permissions_ca.pem", "no certificate", "is not an X.509 certificate in PEM");
+  refused("/key.pem", "no key", "is not a private key in PEM");
+  refused("/governance.p7s", "no document", "is not a signed document (S/MIME)");
+  refused("/identity_crl.pem", "no list", "is not a list of revoked certificates in PEM");
+  std::string permissions;
+  std::getline(std::ifstream(identity("monitor") + "/permissions.p7s"), permissions, '\0');
+  ASSERT_NE(permissions.find("EngineHealth"), std::string::npos);
+  permissions.replace(permissions.find("EngineHealth"), 12, "EngineWealth");
+  refused("/permissions.p7s", permissions, "was not signed by permissions_ca.pem beside it, or was changed since");
+  Process unsecured({EHM_MONITOR, "--monitor-design", EHM_DESIGN_FILE, "--dds-security-required", "true"});
+  EXPECT_EQ(unsecured.wait(seconds(20)), 2);
+  EXPECT_THAT(unsecured.log(), testing::HasSubstr("'dds.security_required' is true, but 'dds.security' names no"));
   std::filesystem::remove_all(mixed);
 }
 
