@@ -99,11 +99,14 @@ passed "upgrade to $next: changed configuration and state kept, unchanged config
 apt remove ehm-monitor ehm-engine-sim ehm-tools
 [ -e "$root/etc/ehm/monitor.toml" ] && [ -e "$root/var/lib/ehm/state" ] || fail "remove took configuration or state"
 ln -s /lib/systemd/system/ehm-monitor.service "$root/etc/systemd/system/multi-user.target.wants/ehm-monitor.service"
+touch "$root/var/lib/ehm/engine_1.json" "$root/var/lib/ehm/flight.h5"
+rm "$root/var/lib/ehm/state"
 apt purge ehm-monitor ehm-engine-sim ehm-tools
 left=$(comm -13 "$work/before" <(paths))
-[ -z "$left" ] || fail "purge left $left"
-! grep -E '^ehm' "$root/etc/passwd" "$root/etc/group" "$root/etc/shadow" || fail "purge left a user"
-passed "remove kept configuration and state; purge left no path and no user"
+[ "$(grep -c . <<<"$left")" = 2 ] && [ -e "$root/var/lib/ehm/flight.h5" ] || fail "purge left $left"
+[ "$(grep -cE '^ehm(-sim)?:' "$root/etc/passwd")" = 2 ] || fail "purge took a user, whose number the next one gets"
+rm -r "$root/var/lib/ehm"
+passed "remove kept configuration and state; purge left recordings and users, and nothing else"
 
 # Once more under a systemd of its own: the units as shipped.
 install_all
