@@ -15,6 +15,7 @@
 #include "deploy/service/log.h"
 #include "deploy/service/stop_deadline.h"
 #include "deploy/service/stop_signal.h"
+#include "deploy/service/written.h"
 #include "engine_sim/commands.h"
 #include "engine_sim/replay/replay.h"
 #include "engine_sim/run.h"
@@ -50,9 +51,7 @@ int replay(const engine::SimConfig& config, bool check_only) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   if (const auto code = engine::run_command(argc, argv, std::cout, std::cerr)) return *code;
   service::ignore_fatal_signals();
   service::start_log("engine_sim");
@@ -103,4 +102,10 @@ int main(int argc, char** argv) {
     std::cerr << "engine_sim: " << e.what() << '\n';
     return service::exit_failed;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return ehm::service::written(run(argc, argv), std::cout, std::cerr, "engine_sim");
 }

@@ -12,6 +12,7 @@
 #include "deploy/service/ignored_signals.h"
 #include "deploy/service/log.h"
 #include "deploy/service/reload_signal.h"
+#include "deploy/service/written.h"
 #include "idl/dds/security.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/config.h"
@@ -38,9 +39,7 @@ ehm::monitor::LoadedConfig read_again(int argc, char** argv) {
   return loaded;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   using namespace ehm;
   service::ignore_fatal_signals();
   const service::ReloadSignal early;  // a SIGHUP from now on is remembered, and ends nobody
@@ -96,4 +95,10 @@ int main(int argc, char** argv) {
     std::cerr << "monitor: " << e.what() << '\n';
     return service::exit_failed;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return ehm::service::written(run(argc, argv), std::cout, std::cerr, "monitor");
 }

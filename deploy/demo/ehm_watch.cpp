@@ -17,6 +17,7 @@
 #include "deploy/demo/watch_output.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
+#include "deploy/service/written.h"
 #include "idl/dds/endpoint.h"
 #include "idl/dds/security.h"
 #include "idl/wire_values.h"
@@ -132,9 +133,7 @@ void watch(demo::WatchData& data, const Options& options) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   Options options;
   CLI::App app{"Shows true and estimated health of one engine, live.", "ehm_watch"};
   app.footer(service::exit_code_help);
@@ -188,4 +187,10 @@ int main(int argc, char** argv) {
     std::cerr << "ehm_watch: " << e.what() << '\n';
     return service::exit_failed;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return ehm::service::written(run(argc, argv), std::cout, std::cerr, "ehm_watch");
 }

@@ -40,6 +40,9 @@ void WatchData::hear(const HealthEvent& event) {
   const double time_s = first_time_ns_ ? 1e-9 * static_cast<double>(event.source_time_ns() - *first_time_ns_) : 0.0;
   events_.push_back({time_s, event.raised() != 0, event.kind(), event.channel_name().c_str(), event.message().c_str(),
                      event.value()});
+  if (events_.size() <= most_events) return;
+  events_.pop_front();
+  ++events_dropped_;
 }
 
 const EngineTruth* WatchData::truth_of(std::uint64_t sequence) const {

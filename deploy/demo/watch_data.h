@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -41,7 +42,11 @@ class WatchData {
   /// Truth beside the latest estimate; empty until both and their description are there.
   std::vector<Row> health() const;
   std::vector<Row> auxiliary() const;
-  const std::vector<EventLine>& events() const { return events_; }
+  /// The latest ones, `most_events` at most: a watch may run for weeks beside a sensor that chatters.
+  const std::deque<EventLine>& events() const { return events_; }
+  static constexpr std::size_t most_events = 1000;
+  /// Earlier ones that were let go.
+  std::uint64_t events_dropped() const { return events_dropped_; }
   const std::optional<MonitorStatus>& status() const { return status_; }
   const monitor::LatencyHistogram& latency() const { return latency_; }
 
@@ -67,7 +72,8 @@ class WatchData {
   std::optional<EngineDescription> description_;
   std::optional<MonitorStatus> status_;
   std::optional<std::int64_t> first_time_ns_;
-  std::vector<EventLine> events_;
+  std::deque<EventLine> events_;
+  std::uint64_t events_dropped_ = 0;
   monitor::LatencyHistogram latency_;
   std::uint64_t estimates_ = 0;
 };

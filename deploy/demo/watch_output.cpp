@@ -75,6 +75,7 @@ std::string summary(const WatchData& data) {
   std::string text = "\n" + rows_text(data, "\n") + "\n";
   text += fmt::format("  samples published {}, received {}, lost {}\n  {}\n", data.published(), data.received(),
                       data.lost(), counts_text(data));
+  if (data.events_dropped() > 0) text += std::to_string(data.events_dropped()) + " events before these\n";
   for (const auto& event : data.events()) text += event_text(event) + "\n";
   return text;
 }
@@ -97,6 +98,7 @@ std::string json(const WatchData& data) {
                               {"truth", row.truth},
                               {"estimate", row.estimate},
                               {"sigma", row.sigma}});
+  j["events_dropped"] = data.events_dropped();
   j["events"] = nlohmann::ordered_json::array();
   for (const auto& event : data.events())
     j["events"].push_back({{"time_s", event.time_s},

@@ -140,8 +140,21 @@ TEST_F(BadFilesTest, TheSimulatorNamesWhatIsWrong) {
 
 TEST_F(BadFilesTest, AMissingProfilesFileStopsWithItsName) {
   std::string log;
-  EXPECT_EQ(run({monitor_program(), "--monitor-design", design_file(), "--dds-profiles-file", "nowhere.xml"}, log), 1);
-  EXPECT_NE(log.find("dds profiles file 'nowhere.xml' cannot be loaded"), std::string::npos) << log;
+  EXPECT_EQ(run({monitor_program(), "--monitor-design", design_file(), "--dds-profiles-file", "nowhere.xml"}, log), 2);
+  EXPECT_NE(log.find("dds profiles file nowhere.xml: no such file"), std::string::npos) << log;
+  const std::string other = file("other.xml", "<profiles/>");
+  EXPECT_EQ(
+      run({monitor_program(), "--monitor-design", design_file(), "--dds-profiles-file", other, "--check-config"}, log),
+      2);
+  EXPECT_NE(log.find("dds profiles file '" + other + "'"), std::string::npos) << log;
+}
+
+TEST_F(BadFilesTest, WhatCannotBePrintedIsNoSuccess) {
+  for (const std::string program : {EHM_TUNER_DESIGN, EHM_ENGINE_SIM, EHM_WATCH}) {
+    std::string log;
+    EXPECT_EQ(run({"/bin/bash", "-c", "'" + program + "' --help > /dev/full"}, log), 1) << program;
+    EXPECT_NE(log.find("standard output cannot be written"), std::string::npos) << log;
+  }
 }
 
 TEST_F(BadFilesTest, CheckConfigAcceptsTheShippedFiles) {
