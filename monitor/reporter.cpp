@@ -81,8 +81,9 @@ bool Reporter::report_next() {
       report_event(report);
       break;
     case Report::Kind::status:
-      report_status(report.status);
+      // Before the status: who has heard of it on DDS finds both in the metrics.
       board_.hang_up(report.engine_id, report.design->model, report.estimates);
+      report_status(report.status);
       break;
     case Report::Kind::malformed:
       say_malformed(report);
