@@ -18,6 +18,7 @@ Expectation expect_sensors(const estimation::LinearModel& model, const Eigen::Ve
   estimation::LinearModel acted = model;
   acted.L = model.B;
   acted.M = model.D;
+  acted.N = model.G;
   const Eigen::MatrixXd H = estimation::steady_gain(model).H;
   Eigen::VectorXd value = trim;
   if (du.size() > 0) value += estimation::steady_gain(acted).H * du;

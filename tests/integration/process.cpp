@@ -10,10 +10,12 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace ehm::test {
 
@@ -62,9 +64,21 @@ std::optional<int> Process::wait(std::chrono::milliseconds limit) {
 }
 
 std::string Process::log() const {
-  std::ostringstream text;
-  text << std::ifstream(log_path_).rdbuf();
-  return text.str();
+  const auto read = [this] {
+    std::ostringstream text;
+    text << std::ifstream(log_path_).rdbuf();
+    return text.str();
+  };
+  // Services write from a thread of their own: the line of what was just heard may still be on its way.
+  constexpr int most_looks = 20;
+  std::string text = read();
+  for (int look = 0; look < most_looks && !exit_code_; ++look) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::string later = read();
+    if (later == text) break;
+    text = std::move(later);
+  }
+  return text;
 }
 
 }  // namespace ehm::test

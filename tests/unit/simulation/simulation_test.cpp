@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "engine_sim/dds/command_reader.h"
@@ -117,6 +118,26 @@ TEST(Simulation, AFlightThatItSaysItSurvivesIsSurvived) {
   }
   EXPECT_GE(survived, 2);
   EXPECT_FALSE(Simulation(quiet()).can_fly({30000.0, 0.8, 0.0}));  // above the atmosphere
+}
+
+TEST(Simulation, SurvivesEveryWearThatItSaysItCan) {
+  int refused = 0;
+  for (std::size_t parameter = 0; parameter < health_count; ++parameter)
+    for (const double target : {-0.30, -0.15, -0.05, 0.10})
+      for (const double ramp_s : {0.0, 5.0}) {
+        Simulation simulation(quiet());
+        if (!simulation.can_wear(parameter, target, ramp_s)) {
+          ++refused;
+          continue;
+        }
+        simulation.order_health(parameter, target, ramp_s);
+        EXPECT_NO_THROW({
+          for (int k = 0; k < 600; ++k) simulation.next();
+        }) << parameter << " to " << target << " within " << ramp_s << " s";
+      }
+  std::printf("%d of %zu orders of wear refused\n", refused, health_count * 8);
+  EXPECT_GT(refused, 0);  // the deepest of them end an engine
+  EXPECT_LT(refused, 40);
 }
 
 TEST(Simulation, SaysWhatItCannotFly) {
