@@ -170,11 +170,11 @@ class MonitorCycle {
 
   estimation::SensorVector dy_, sensor_trim_;  ///< deviations from trim, NaN where there is no value
   estimation::ActuatorVector du_, du_previous_, actuator_trim_;
-  int steps_ = 1;            ///< sample times from the sample before to this one
-  bool valid_ = true;        ///< the design's point is near enough
-  bool have_design_ = true;  ///< for the sensors that are left
-  Sample mended_;            ///< the latest sample, bad words of flight and actuators replaced
-  bool usable_ = true;       ///< there was something to replace them by
+  int steps_ = 1;                                 ///< sample times from the sample before to this one
+  bool valid_ = true;                             ///< the design's point is near enough
+  bool have_design_ = true;                       ///< for the sensors that are left
+  Sample mended_;                                 ///< the latest sample, bad words of flight and actuators replaced
+  bool usable_ = true;                            ///< there was something to replace them by
   std::int64_t slowness_ = 1, slow_samples_ = 0;  ///< longest hold that the design does not know; samples of it so far
   std::vector<Condition> sensor_fault_, slow_sensor_;
   Condition no_design_, input_lost_, ambiguous_;

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <numeric>
 #include <sstream>
 
 #include "deploy/config/schema.h"
-#include "deploy/files/input_file.h"
 #include "deploy/files/file_error.h"
+#include "deploy/files/input_file.h"
 
 namespace ehm::config {
 

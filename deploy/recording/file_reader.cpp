@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "deploy/files/file_error.h"
 #include "deploy/files/input_file.h"

@@ -12,6 +12,7 @@
 #include <list>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "deploy/service/http_connection.h"
@@ -29,11 +30,13 @@ class HttpServer::Loop : public httplib::Server {
   void run() {
     const int listening = svr_sock_;
     fcntl(listening, F_SETFL, fcntl(listening, F_GETFL) | O_NONBLOCK);
-    while (!stop_.load(std::memory_order_relaxed)) try {
+    while (!stop_.load(std::memory_order_relaxed)) {
+      try {
         turn(listening);
       } catch (const std::exception&) {
         connections_.clear();  // memory is short: everybody may ask again
       }
+    }
     connections_.clear();
   }
   ~Loop() override {
@@ -53,7 +56,9 @@ class HttpServer::Loop : public httplib::Server {
     if (on_tick) on_tick();
   }
   void wait(int listening) {
-    polls_.assign(1, {listening, POLLIN, 0});
+    // While there is no descriptor for them, those who wait to be accepted must not keep the thread awake.
+    const short events = std::exchange(no_descriptor_, false) ? short{0} : short{POLLIN};
+    polls_.assign(1, {listening, events, 0});
     for (const HttpConnection& c : connections_)
       if (c.state() != State::asked) polls_.push_back({c.socket(), c.events(), 0});
     poll(polls_.data(), polls_.size(), static_cast<int>(tick.count()));
@@ -62,7 +67,10 @@ class HttpServer::Loop : public httplib::Server {
     // A turn takes in as many as there is room for at most, so that a flood starves nobody who is in.
     for (std::size_t i = 0; i < most_connections; ++i) {
       const int socket = accept4(listening, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-      if (socket < 0) return;
+      if (socket < 0) {
+        no_descriptor_ = errno != EAGAIN && errno != EWOULDBLOCK;
+        return;
+      }
       if (connections_.size() == most_connections) drop_oldest();
       connections_.emplace_back(socket, HttpConnection::Clock::now() + ask_limit);
     }
@@ -98,6 +106,7 @@ class HttpServer::Loop : public httplib::Server {
   std::atomic<bool> stop_{false};
   std::list<HttpConnection> connections_;  ///< in the order in which they came
   std::vector<pollfd> polls_;
+  bool no_descriptor_ = false;  ///< the last accept was refused
 };
 
 HttpServer::HttpServer(const ListenAddress& address) : loop_(std::make_unique<Loop>()) {

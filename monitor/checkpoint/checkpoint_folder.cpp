@@ -4,13 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "deploy/files/atomic_file.h"
 #include "deploy/files/file_error.h"
-#include "monitor/design/json_object.h"
 #include "deploy/files/input_file.h"
+#include "monitor/design/json_object.h"
 
 namespace ehm::monitor {
 

@@ -1,14 +1,11 @@
 #include "monitor/design/json_object.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
-#include "monitor/design/file_error.h"
 #include "deploy/files/input_file.h"
+#include "monitor/design/file_error.h"
 
 namespace ehm::design {
 namespace {

@@ -9,7 +9,8 @@ namespace ehm::estimation {
 SteadyGain steady_gain(const LinearModel& model) {
   const Eigen::Index n = model.A.rows(), p = model.L.cols();
   if (model.M.cols() != p || model.N.cols() != p || model.C.cols() != n || model.F.cols() != n)
-    throw std::invalid_argument("steady gain: L, M, N must have a column for each health parameter, C and F for each state");
+    throw std::invalid_argument(
+        "steady gain: L, M, N must have a column for each health parameter, C and F for each state");
   // continuous: 0 = A x + L h; discrete: (I-A) x = L h
   const Eigen::MatrixXd dynamics =
       model.discrete ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n) - model.A) : Eigen::MatrixXd(-model.A);

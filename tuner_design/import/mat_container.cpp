@@ -3,19 +3,15 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "deploy/files/file_error.h"
+#include "deploy/files/input_file.h"
 #include "tuner_design/import/mat_bytes.h"
 #include "tuner_design/import/mat_element.h"
-#include "deploy/files/input_file.h"
 
 namespace ehm::bench {
 namespace {
