@@ -81,7 +81,7 @@ if [ "$full" = yes ]; then
   stage namespaces tests/fleet/namespaces.sh "$build" "$build/tests/integration/design.json"
   stage packages tests/packages/packages.sh "$build"
   stage demo deploy/demo.sh --seconds 30
-  stage tsan sanitized tsan thread "integration_test cycle_test engine_sim monitor ehm_watch tuner_design" \
+  stage tsan sanitized tsan thread "integration_test monitor_checks_test engine_sim monitor ehm_watch tuner_design" \
     -R 'SpscQueue|FlightTest|BadSamplesTest|ReloadTest|CheckpointTest'
   stage asan-ubsan sanitized asan-ubsan address,undefined all -E '^Allocation'
   stage fuzz tests/fuzz/fuzz.sh --jobs 2 --seconds "${EHM_FUZZ_SECONDS:-120}"
