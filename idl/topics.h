@@ -42,6 +42,7 @@ EHM_TOPIC(MonitorStatus, state, Role::other)
 EHM_TOPIC(HealthEvent, state, Role::other)
 EHM_TOPIC(SimCommand, command, Role::other)
 EHM_TOPIC(MonitorCommand, command, Role::other)
+EHM_TOPIC(CommandReply, command, Role::other)
 
 #undef EHM_TOPIC
 

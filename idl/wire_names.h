@@ -42,14 +42,20 @@ inline constexpr std::array event_kind_names{"?",
                                              "source_sequence",
                                              "condition_fault",
                                              "slow_sensor",
-                                             "held_up"};
-static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::held_up) + 1);
+                                             "held_up",
+                                             "implausible",
+                                             "unlikely_engine",
+                                             "engine_left",
+                                             "second_monitor",
+                                             "command_flood"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::command_flood) + 1);
 
-inline constexpr std::array<std::pair<std::uint32_t, const char*>, 5> estimate_flag_names{
+inline constexpr std::array<std::pair<std::uint32_t, const char*>, 6> estimate_flag_names{
     {{estimate_flag::converging, "converging"},
      {estimate_flag::bridging, "bridging"},
      {estimate_flag::degraded, "degraded"},
      {estimate_flag::off_design, "off_design"},
-     {estimate_flag::shifted, "shifted"}}};
+     {estimate_flag::shifted, "shifted"},
+     {estimate_flag::implausible, "implausible"}}};
 
 }  // namespace ehm::wire

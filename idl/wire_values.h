@@ -10,13 +10,15 @@ inline constexpr std::uint32_t schema_version = 1;
 
 /// EngineHealth.flags, EngineAuxiliary.flags, MonitorStatus.flags: bits.
 namespace estimate_flag {
-inline constexpr std::uint32_t converging = 1u
-                                            << 0;  ///< filter started less than seven of its slowest time constants ago
-inline constexpr std::uint32_t bridging = 1u << 1;  ///< a sensor of the design was predicted, not fused, or a word of
-                                                    ///< flight condition or actuators was replaced by the last good one
-inline constexpr std::uint32_t degraded = 1u << 2;  ///< a design without some sensor flies
-inline constexpr std::uint32_t off_design = 1u << 3;  ///< outside the design's operating point or sample time
-inline constexpr std::uint32_t shifted = 1u << 4;     ///< a health shift event is raised
+/// The filter started less than seven of its slowest time constants ago.
+inline constexpr std::uint32_t converging = 1u << 0;
+/// A sensor of the design was predicted, not fused, or a word of flight condition or actuators was replaced by the last
+/// good one.
+inline constexpr std::uint32_t bridging = 1u << 1;
+inline constexpr std::uint32_t degraded = 1u << 2;     ///< a design without some sensor flies
+inline constexpr std::uint32_t off_design = 1u << 3;   ///< outside the design's operating point or sample time
+inline constexpr std::uint32_t shifted = 1u << 4;      ///< a health shift event is raised
+inline constexpr std::uint32_t implausible = 1u << 5;  ///< farther out than the fleet's engines are: sigma has grown
 }  // namespace estimate_flag
 
 /// EngineResiduals.reason: bits, why a sensor was not fused.
@@ -32,6 +34,7 @@ inline constexpr std::uint32_t withheld = 1u << 7;   ///< no estimate was made: 
 inline constexpr std::uint32_t bias = 1u << 8;       ///< named by the fault detector
 inline constexpr std::uint32_t noise = 1u << 9;      ///< named by the fault detector
 inline constexpr std::uint32_t repeated = 1u << 10;  ///< a value that a slow sensor still holds: fused once already
+inline constexpr std::uint32_t quiet = 1u << 11;     ///< with stuck: its values differ, but its noise is missing
 }  // namespace reject_reason
 
 enum class DescriptionRole : std::uint32_t { source = 1, monitor = 2 };
@@ -71,12 +74,18 @@ enum class EventKind : std::uint32_t {
                           ///< names participant, topic and reason (raised 0: all that were named are gone)
   source_stamps = 22,     ///< source_time_ns is not set, repeats, or steps back (value: by how many seconds, negative)
   source_sequence = 23,   ///< new samples carry the sequence number of the one before (value) and are dropped
-  condition_fault =
-      24,            ///< channel: 0 altitude_m, 1 mach, 2 delta_isa_k, from 3 on the actuators; value: the word that
-                     ///< came, threshold: the last good one
-  slow_sensor = 25,  ///< channel: sensor; value: seconds between its updates, threshold: as the design has it
-  held_up = 26       ///< the monitor's process was stopped for so long (value, s) that others dropped it; it joins
-                     ///< DDS anew (raised 0: it has)
+  condition_fault = 24,   ///< channel: 0 altitude_m, 1 mach, 2 delta_isa_k, from 3 on the actuators; value: the word
+                          ///< that came, threshold: the last good one
+  slow_sensor = 25,       ///< channel: sensor; value: seconds between its updates, threshold: as the design has it
+  held_up = 26,           ///< the monitor's process was stopped for so long (value, s) that others dropped it; it joins
+                          ///< DDS anew (raised 0: it has)
+  implausible = 27,  ///< channel: health parameter, estimated farther from nominal than the fleet's engines are; value
+                     ///< and threshold in sigmas of the prior
+  unlikely_engine = 28,  ///< the sensors together stand where no engine of the fleet does; value and threshold: the
+                         ///< distance over that of one engine in a thousand
+  engine_left = 29,      ///< silent for so long (value, s) that its filter is free for another; raised 0: it is back
+  second_monitor = 30,   ///< another monitor publishes under this one's source_id (value)
+  command_flood = 31     ///< resets come faster than a filter converges; those beyond one in threshold s are refused
 };
 
 enum class SimCommandKind : std::uint32_t {

@@ -11,8 +11,8 @@ is_role() { [[ " ${roles[*]} " == *" $1 "* ]]; }
 # Least privilege, topic by topic. A reader holds the key of the writers that it reads, so who need not read sensors must not.
 may_publish() {
   case $1 in
-    sensor_source) echo EngineSensors EngineDescription EngineTruth ;;
-    monitor) echo EngineHealth EngineAuxiliary EngineResiduals EngineDescription MonitorStatus HealthEvent ;;
+    sensor_source) echo EngineSensors EngineDescription EngineTruth CommandReply ;;
+    monitor) echo EngineHealth EngineAuxiliary EngineResiduals EngineDescription MonitorStatus HealthEvent CommandReply ;;
     viewer) ;;
     operator) echo MonitorCommand SimCommand ;;
   esac
@@ -22,7 +22,8 @@ may_subscribe() {
   case $1 in
     sensor_source) echo SimCommand EngineResiduals ;;
     monitor) echo EngineSensors EngineDescription EngineHealth MonitorCommand ;; # EngineHealth: of its partner
-    viewer | operator) echo "$shown" ;;
+    viewer) echo "$shown" ;;
+    operator) echo "$shown CommandReply" ;;
   esac
 }
 

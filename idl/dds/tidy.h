@@ -58,10 +58,8 @@ void tidy(Sample& s) {
     clean(s.engine_type());
     clean(s.design_hash());
   }
-  if constexpr (requires { s.message(); }) {
-    clean(s.message());
-    clean(s.channel_name());
-  }
+  if constexpr (requires { s.message(); }) clean(s.message());
+  if constexpr (requires { s.channel_name(); }) clean(s.channel_name());
 }
 
 }  // namespace ehm::wire

@@ -22,6 +22,7 @@ const estimation::Channel* channel_of(const Event& e, const estimation::LinearMo
       return &model.sensors.at(e.channel);
     case wire::EventKind::health_shift:
     case wire::EventKind::health_limit:
+    case wire::EventKind::implausible:
       return &model.health.at(e.channel);
     case wire::EventKind::auxiliary_limit:
       return &model.auxiliary.at(e.channel);
@@ -111,6 +112,18 @@ std::string input_lost(const Event& e) {
     if (e.detail >> static_cast<unsigned>(verdict) & 1u) came += (came.empty() ? "" : ", ") + std::string(name);
   if (came.empty()) return fmt::format("no sample for {:.3f} s, estimates are stale", e.value);
   return fmt::format("no usable sample for {:.3f} s, estimates are stale; what came: {}", e.value, came);
+}
+
+/// All sensors that stand apart, by the bits of the detail.
+std::string unlikely_engine(const Event& e, const estimation::LinearModel& model) {
+  if (!e.raised) return "the sensors together stand where an engine of the fleet does again";
+  std::string names;
+  for (std::size_t i = 0; i < model.sensors.size(); ++i)
+    if (e.detail >> i & 1u) names += ' ' + model.sensors[i].name;
+  return fmt::format(
+      "the sensors together stand where no engine of the fleet does, {:.1f} times farther out than one in a "
+      "thousand:{}",
+      e.value, names);
 }
 
 std::string restart_reason(const Event& e) {
@@ -237,6 +250,19 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
                             "are dropped as duplicates. Add 1 a sample",
                             e.value)
                       : "the sequence grows with each sample again";
+    case wire::EventKind::implausible:
+      return e.raised ? fmt::format("{} is estimated {:.1f} sigmas of the fleet from nominal, trusted are {:.1f}",
+                                    c->name, e.value, e.threshold)
+                      : fmt::format("{} is where the fleet's engines are again", c->name);
+    case wire::EventKind::unlikely_engine:
+      return unlikely_engine(e, model);
+    case wire::EventKind::engine_left:
+      return e.raised ? fmt::format("silent for {:.0f} s: its filter is free for another engine", e.value)
+                      : "the engine is back, and starts cold";
+    case wire::EventKind::command_flood:
+      return e.raised ? fmt::format("resets come faster than one in {:.3g} s: {:.0f} are refused", e.threshold, e.value)
+                      : "resets are obeyed again";
+    case wire::EventKind::second_monitor:
     case wire::EventKind::input_deadline:
     case wire::EventKind::input_liveliness:
     case wire::EventKind::configuration:
