@@ -81,8 +81,8 @@ enum class EventKind : std::uint32_t {
                           ///< DDS anew (raised 0: it has)
   implausible = 27,  ///< channel: health parameter, estimated farther from nominal than the fleet's engines are; value
                      ///< and threshold in sigmas of the prior
-  unlikely_engine = 28,  ///< the sensors together stand where no engine of the fleet does; value and threshold: the
-                         ///< distance over that of one engine in a thousand
+  unlikely_engine = 28,  ///< the sensors together stand where no engine of the fleet does; value and threshold:
+                         ///< distance from its middle, over the fleet's spread
   engine_left = 29,      ///< silent for so long (value, s) that its filter is free for another; raised 0: it is back
   second_monitor = 30,   ///< another monitor publishes under this one's source_id (value)
   command_flood = 31     ///< resets come faster than a filter converges; those beyond one in threshold s are refused

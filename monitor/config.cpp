@@ -72,6 +72,14 @@ void declare_cycle(Schema& schema, CycleOptions& o) {
               "that the wear of an engine of the fleet alone looks like a slow bias of a sensor");
 }
 
+void declare_fleet(Schema& schema, FleetOptions& f) {
+  schema.real("fleet.warn_sigma", f.warn_sigma, 3, 30, "sigma of the prior",
+              "an estimate farther from nominal than engines of the fleet are raises a warning");
+  schema.real("fleet.withhold_sigma", f.withhold_sigma, 3, 1000, "sigma of the prior",
+              "still farther out estimates are withheld; not below fleet.warn_sigma");
+  schema.real("fleet.persistence_s", f.persistence_s, 0, 60, "s", "so long in a row before either");
+}
+
 void declare_recording(Schema& schema, MonitorConfig& m) {
   schema.text(
       "record.file", m.record.file,
@@ -190,6 +198,7 @@ void declare(Schema& schema, MonitorConfig& m) {
   schema.choice("monitor.clock", m.clock, {"monotonic", "source"},
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
+  declare_fleet(schema, m.cycle.fleet);
   declare_realtime(schema, m.realtime);
   declare_recording(schema, m);
   declare_checkpoint(schema, m);
@@ -228,6 +237,9 @@ void finish_config(const MonitorConfig& m) {
   } catch (const std::invalid_argument& e) {
     throw ConfigError(std::string("'metrics.listen' ") + e.what() + ", empty for none");
   }
+  if (m.cycle.fleet.withhold_sigma < m.cycle.fleet.warn_sigma)
+    throw ConfigError("'fleet.withhold_sigma' is " + config::number_text(m.cycle.fleet.withhold_sigma) +
+                      ", allowed is from fleet.warn_sigma (" + config::number_text(m.cycle.fleet.warn_sigma) + ") on");
   if (m.security_required && m.security.empty())
     throw ConfigError(
         "'dds.security_required' is true, but 'dds.security' names no directory: set it, or "

@@ -116,6 +116,8 @@ void MonitorCycle::exclude(int sensor) noexcept {
   const double without_it = filter_.gain().C.row(sensor).dot(filter_.estimate());
   const double bias = declared_.kind == FaultKind::sensor_bias ? declared_.size : 0.0;
   return_gate_.start(with_it - without_it, narrow, filter_.innovation_variance()(sensor), bias);
+  gated_sensor_ = sensor;
+  cold_return_ = false;
   // What the sensor has taught stays true, and the estimates go on without a step.
   if (knew_it)
     filter_.carry(health, auxiliary, design_->model.sample_time_s / ReturnGate::memory_s);

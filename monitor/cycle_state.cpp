@@ -67,6 +67,7 @@ Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, dou
   if (!filter_.restore(set_of(state), state.estimate)) return Resumption::wrong_shape;
   error_.restore((*error_models_)[design], state.error);
   return_gate_.resume(state.return_gate);
+  gated_sensor_ = state.missing_sensor;
   shift_.reset();
   ungated_.reset();
   faults_.start(state.missing_sensor,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "idl/wire_values.h"
 
@@ -41,6 +42,7 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       faults_(options.faults, prepared.faults, design_->model.sample_time_s),
       shift_(options.shift, *design_, prepared.shift),
       slow_bias_(options.faults, prepared.slow_bias),
+      fleet_(options.fleet, design_->model, prepared.fleet),
       limits_(options.limits, design_->model),
       dy_(sensors_),
       sensor_trim_(trims<estimation::SensorVector>(design_->model.sensors)),
@@ -128,26 +130,50 @@ bool MonitorCycle::admit(const Sample& sample, SampleDecision& decision) noexcep
 void MonitorCycle::restart_filter() noexcept {
   filter_.reset();
   error_.reset(error_models_->front());
+  int missing = -1;
+  if (excluded_sensors(missing) == 1 && filter_.switch_sensor_set(SensorSet::without(missing))) {
+    error_.reset((*error_models_)[static_cast<std::size_t>(1 + missing)]);
+    faults_.start(missing, faults_.tables().of(missing).settling_samples);
+    cold_return_ = true;
+    await_return(missing);
+  } else {
+    faults_.reset();
+  }
   ungated_.reset();
-  faults_.reset();
   shift_.reset();
   slow_bias_.reset(events_);
-  settle_ambiguity(true);
+  fleet_.reset(events_);
+  ambiguous_.judge_anew(wire::EventKind::ambiguous_fault, ambiguous_channel_, events_);
   declared_ = {};
   du_previous_ = du_;
 }
 
-void MonitorCycle::restart(RestartReason reason, double jump_s) noexcept {
-  ++counters_.restarts;
-  restart_filter();
-  condition_check_.reset(events_);
-  sensor_check_.reset();
+/// What the gate knows of this sensor stays; of another one's it would be wrong.
+void MonitorCycle::await_return(int sensor) noexcept {
+  if (gated_sensor_ == sensor) return;
+  const double variance = filter_.innovation_variance()(sensor);
+  return_gate_.start(0.0, variance, variance, 0.0);
+  return_gate_.forget();
+  gated_sensor_ = sensor;
+}
+
+void MonitorCycle::forget_sensors() noexcept {
+  gated_sensor_ = -1;
   for (auto& q : qualification_) q.reset();
   for (std::size_t i = 0; i < sensor_fault_.size(); ++i)
-    sensor_fault_[i].set(false, {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false, 0.0, 0.0, 0},
-                         events_);
+    sensor_fault_[i].judge_anew(wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), events_);
   have_design_ = true;
-  no_design_.set(false, {wire::EventKind::no_design, 0, false, 0.0, 0.0, 0}, events_);
+  no_design_.judge_anew(wire::EventKind::no_design, 0, events_);
+}
+
+void MonitorCycle::restart(RestartReason reason, double jump_s) noexcept {
+  ++counters_.restarts;
+  if (reason != RestartReason::command) {
+    condition_check_.reset(events_);
+    sensor_check_.reset();
+  }
+  if (sensors_are_new(reason)) forget_sensors();
+  restart_filter();
   events_.push({wire::EventKind::filter_restart, 0, true, jump_s, options_.checks.restart_gap_s,
                 static_cast<std::uint32_t>(reason)});
 }
@@ -241,16 +267,25 @@ void MonitorCycle::gate() noexcept {
     if (plausible[static_cast<std::size_t>(missing)]) return_gate_.observe(filter_.innovation()(missing));
     if (shift_.raised()) return_gate_.forget();
     result_.ratio(missing) = return_gate_.ratio(filter_.innovation()(missing), options_.checks.gate_sigma);
+    cold_return_ = cold_return_ && !error_.settled();
   }
   for (int i = 0; i < sensors_; ++i) {
     const auto s = static_cast<std::size_t>(i);
-    const bool held_back = have_design_ && i == missing && plausible[s] && result_.ratio(i) > 1.0;
+    const bool held_back = have_design_ && i == missing && plausible[s] && (cold_return_ || result_.ratio(i) > 1.0);
     // The gate keeps wild values out. What lasts longer is the fault detector's to name, once it listens.
     if (result_.reason[s] != reason::repeated) gated_[s] = in_use.rejected[s] ? gated_[s] + 1 : 0;
     const bool suspect = plausible[s] && faults_.suspect() == i;
     const bool wild = in_use.rejected[s] && (!faults_.armed() || gated_[s] <= options_.checks.bridge_samples);
     if (wild || suspect || held_back) result_.reason[s] |= reason::innovation_gate;
   }
+}
+
+/// What the event of a sensor's exclusion compares: the range of its values, how many are equal, or the gate's ratio.
+std::pair<double, double> MonitorCycle::evidence(int sensor, std::uint32_t why) const noexcept {
+  if (why & reason::quiet) return {sensor_check_.quiet(sensor).range(), sensor_check_.quiet(sensor).least()};
+  if (!(why & reason::stuck)) return {result_.ratio(sensor), 1.0};
+  const StuckWatch& stuck = sensor_check_.stuck(sensor);
+  return {static_cast<double>(stuck.run()), static_cast<double>(stuck.limit())};
 }
 
 void MonitorCycle::qualify() noexcept {
@@ -265,13 +300,9 @@ void MonitorCycle::qualify() noexcept {
                            qualification_[s].state() != Qualification::State::excluded;
     const bool excluded =
         qualification_[s].observe(why == 0 || only_wild, options_.checks) == Qualification::State::excluded;
-    const StuckWatch& stuck = sensor_check_.stuck(i);
-    const bool is_stuck = why & reason::stuck;
-    sensor_fault_[s].set(excluded,
-                         {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false,
-                          is_stuck ? static_cast<double>(stuck.run()) : result_.ratio(i),
-                          is_stuck ? static_cast<double>(stuck.limit()) : 1.0, why},
-                         events_);
+    const auto [value, limit] = evidence(i, why);
+    sensor_fault_[s].set(
+        excluded, {wire::EventKind::sensor_fault, static_cast<std::uint32_t>(i), false, value, limit, why}, events_);
     if (excluded) result_.reason[s] |= reason::excluded;
     counters_.sensor_rejections += result_.reason[s] != 0;
   }
@@ -292,14 +323,20 @@ void MonitorCycle::update() noexcept {
   error_.step();
 }
 
-void MonitorCycle::choose_design() noexcept {
-  int excluded = 0, missing = -1;
-  const estimation::SensorMask wanted = filter_.model().full.sensors;  // no design needs the others
+/// Of those that a design needs; `last` is one of them.
+int MonitorCycle::excluded_sensors(int& last) const noexcept {
+  int excluded = 0;
+  const estimation::SensorMask wanted = filter_.model().full.sensors;
   for (int i = 0; i < sensors_; ++i) {
     const auto s = static_cast<std::size_t>(i);
-    if (wanted[s] && qualification_[s].state() == Qualification::State::excluded) ++excluded, missing = i;
+    if (wanted[s] && qualification_[s].state() == Qualification::State::excluded) ++excluded, last = i;
   }
+  return excluded;
+}
 
+void MonitorCycle::choose_design() noexcept {
+  int missing = -1;
+  const int excluded = excluded_sensors(missing);
   const bool had_design = have_design_;
   have_design_ = excluded == 0 || (excluded == 1 && filter_.available(SensorSet::without(missing)));
   no_design_.set(!have_design_, {wire::EventKind::no_design, 0, false, static_cast<double>(excluded), 1.0, 0}, events_);
@@ -313,10 +350,14 @@ void MonitorCycle::choose_design() noexcept {
 }
 
 void MonitorCycle::conclude() noexcept {
+  if (have_design_) {
+    fleet_.judge(filter_.tuners(), filter_.health(), filter_.sensor_set().missing(), events_);
+    error_.widen(fleet_.excess());
+  }
   result_.sensors_used = filter_.sensors();
-  result_.estimates = have_design_;
-  ++(have_design_ ? counters_.processed : counters_.withheld);
-  if (!have_design_)
+  result_.estimates = have_design_ && !fleet_.withheld();
+  ++(result_.estimates ? counters_.processed : counters_.withheld);
+  if (!result_.estimates)
     for (int i = 0; i < sensors_; ++i) result_.reason[static_cast<std::size_t>(i)] |= reason::withheld;
   result_.flags = estimate_flags();
 }
@@ -332,6 +373,7 @@ std::uint32_t MonitorCycle::estimate_flags() const noexcept {
   if (!filter_.sensor_set().is_full()) flags |= flag::degraded;
   if (!valid_) flags |= flag::off_design;
   if (shift_.raised()) flags |= flag::shifted;
+  if (fleet_.implausible()) flags |= flag::implausible;
   return flags;
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "monitor/checks/condition_check.h"
@@ -27,6 +28,7 @@
 #include "monitor/estimation/tuner_filter.h"
 #include "monitor/judge/events.h"
 #include "monitor/judge/fault_detector.h"
+#include "monitor/judge/fleet_watch.h"
 #include "monitor/judge/limit_watch.h"
 #include "monitor/judge/second_source_watch.h"
 #include "monitor/judge/shift_detector.h"
@@ -45,8 +47,9 @@ struct CycleCounters {
   std::uint64_t processed = 0;  ///< led to estimates
   std::uint64_t lost = 0;       ///< gaps of the sequence
   std::uint64_t duplicated = 0, reordered = 0, malformed = 0;
-  std::uint64_t foreign = 0;   ///< from a second source of the same engine
-  std::uint64_t withheld = 0;  ///< accepted, but no honest estimate: off design, or no design for the sensors left
+  std::uint64_t foreign = 0;  ///< from a second source of the same engine
+  /// Accepted, but no honest estimate: off design, no design for the sensors left, too far from the fleet.
+  std::uint64_t withheld = 0;
   std::uint64_t sensor_rejections = 0;  ///< values that were not fused; words of flight and actuators replaced
   std::uint64_t restarts = 0;
 };
@@ -84,7 +87,8 @@ class MonitorCycle {
   /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. True if it does.
   /// Real-time safe: yes.
   bool no_input(double age_s) noexcept;
-  /// Cold start of the filter, by an operator's order, or since another design takes over. Real-time safe: yes.
+  /// Cold start of the filter, by an operator's order, or since another design takes over. After an order sensors that
+  /// were named faulty stay out until they requalify. Real-time safe: yes.
   void reset(RestartReason reason = RestartReason::command) noexcept;
   /// Another cycle takes over with another design: ends every condition that this one has raised. Real-time safe: yes.
   void retire() noexcept;
@@ -111,6 +115,8 @@ class MonitorCycle {
   bool sequence_stands() const noexcept { return sequence_watch_.standing(); }
   /// The source's sequence numbers or stamps have a fault that an event tells.
   bool order_troubled() const noexcept { return sequence_watch_.raised() || stamp_watch_.raised(); }
+  /// What may be wrong with the estimates, and an event tells: a drift, or a fault that nobody can name.
+  bool doubted() const noexcept { return slow_bias_.raised() || ambiguous_.raised(); }
   /// Events since the last clear_events.
   const EventList& events() const noexcept { return events_; }
   void clear_events() noexcept { events_.clear(); }
@@ -119,6 +125,9 @@ class MonitorCycle {
   bool admit(const Sample& sample, SampleDecision& decision) noexcept;
   void restart(RestartReason reason, double jump_s) noexcept;
   void restart_filter() noexcept;
+  void forget_sensors() noexcept;
+  void await_return(int sensor) noexcept;
+  int excluded_sensors(int& last) const noexcept;
   void check_sensors(const Sample& sample, int steps) noexcept;
   void watch_holds() noexcept;
   bool slow_start() const noexcept { return slowness_ > 1 && !error_.settled(); }
@@ -126,6 +135,7 @@ class MonitorCycle {
   void withhold() noexcept;
   void predict() noexcept;
   void gate() noexcept;
+  std::pair<double, double> evidence(int sensor, std::uint32_t why) const noexcept;
   void qualify() noexcept;
   void update() noexcept;
   void conclude() noexcept;
@@ -159,6 +169,8 @@ class MonitorCycle {
   std::vector<Qualification> qualification_;
   std::vector<std::int64_t> gated_;  ///< values in a row that only the innovation gate held back, by sensor
   ReturnGate return_gate_;
+  int gated_sensor_ = -1;     ///< whose return the gate judges
+  bool cold_return_ = false;  ///< without it the filter has started cold: nothing to judge by until it has settled
   Validity validity_;
   UngatedFilter ungated_;
   FaultDetector faults_;
@@ -166,6 +178,7 @@ class MonitorCycle {
   bool came_back_ = false;  ///< what was declared is the end of a drift
   ShiftDetector shift_;
   SlowBias slow_bias_;
+  FleetWatch fleet_;
   LimitWatch limits_;
 
   estimation::SensorVector dy_, sensor_trim_;  ///< deviations from trim, NaN where there is no value

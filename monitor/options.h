@@ -56,6 +56,14 @@ struct FaultOptions {
   friend bool operator==(const FaultOptions&, const FaultOptions&) = default;
 };
 
+/// How far from the fleet's mean an estimate is believed (judge/fleet_watch.h).
+struct FleetOptions {
+  double warn_sigma = 5.0;       ///< of the prior: farther out a warning; one engine in 1.7 million stands there
+  double withhold_sigma = 10.0;  ///< farther out no estimate
+  double persistence_s = 1.0;    ///< before either
+  friend bool operator==(const FleetOptions&, const FleetOptions&) = default;
+};
+
 /// Raised when the estimate leaves [min, max]; cleared when it is back inside by `hysteresis`.
 struct LimitOptions {
   std::string quantity;  ///< name of a health or auxiliary channel
@@ -82,6 +90,7 @@ struct CycleOptions {
   ValidityOptions validity;
   ShiftOptions shift;
   FaultOptions faults;
+  FleetOptions fleet;
   std::vector<LimitOptions> limits;
   std::vector<SensorOptions> sensors;
   double stale_periods = 3.0;

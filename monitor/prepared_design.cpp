@@ -22,6 +22,7 @@ PreparedDesign::PreparedDesign(std::shared_ptr<const design::Design> of)
       error_models(std::make_shared<const std::vector<estimation::ErrorModel>>(make_error_models(*design))),
       faults(fault_tables(*design)),
       shift(shift_tables(*design)),
-      slow_bias(slow_bias_table(*design)) {}
+      slow_bias(slow_bias_table(*design)),
+      fleet(fleet_tables(*design, *error_models)) {}
 
 }  // namespace ehm::monitor

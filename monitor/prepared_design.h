@@ -10,6 +10,7 @@
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/estimation/tuner_filter.h"
 #include "monitor/judge/fault_signatures.h"
+#include "monitor/judge/fleet_watch.h"
 #include "monitor/judge/shift_detector.h"
 #include "monitor/judge/slow_bias.h"
 
@@ -24,6 +25,7 @@ struct PreparedDesign {
   std::shared_ptr<const FaultTables> faults;
   std::shared_ptr<const ShiftTables> shift;
   std::shared_ptr<const SlowBiasTable> slow_bias;
+  std::shared_ptr<const FleetTables> fleet;
 };
 
 }  // namespace ehm::monitor

@@ -13,7 +13,8 @@ StatusLevel level_of(const EngineSlot& slot) noexcept {
   const bool troubled = now.lost != before.lost || now.malformed != before.malformed ||
                         now.reordered != before.reordered || now.foreign != before.foreign ||
                         slot.cycle.order_troubled();
-  const bool restricted = (result.flags & (flag::degraded | flag::shifted)) != 0;
+  const bool restricted =
+      (result.flags & (flag::degraded | flag::shifted | flag::implausible)) != 0 || slot.cycle.doubted();
   return troubled || restricted ? StatusLevel::warn : StatusLevel::ok;
 }
 

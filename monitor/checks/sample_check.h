@@ -38,8 +38,15 @@ enum class RestartReason : std::uint32_t {
   time_back = 3,         ///< the source's clock went back by more than restart_gap_s; seconds, negative
   time_ahead = 4,        ///< that clock, or a pause: more than restart_gap_s without a missing sample; seconds
   gap = 5,               ///< of more than restart_gap_s by its clock, or by the sequence where the stamps tell nothing
-  sequence_jump = 6      ///< further than time explains; seconds that so many samples would take
+  sequence_jump = 6,     ///< further than time explains; seconds that so many samples would take
+  described_anew = 7     ///< its source describes its channels otherwise than before
 };
+
+/// After which of them a sensor that was named faulty is another sensor, or measures another engine.
+constexpr bool sensors_are_new(RestartReason reason) noexcept {
+  return reason == RestartReason::other_design || reason == RestartReason::source_restarted ||
+         reason == RestartReason::described_anew;
+}
 
 struct SampleDecision {
   SampleVerdict verdict = SampleVerdict::malformed;

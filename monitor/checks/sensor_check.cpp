@@ -52,7 +52,7 @@ SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOpti
 
 SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
                          const estimation::LinearModel& model)
-    : options_(options), memory_(model.sensors.size()) {
+    : options_(options), memory_(model.sensors.size()), quiet_(model.sensors.size()) {
   require_known(sensors, model);
   // sqrt of diag(H Ph H^T): what the fleet's health makes of each sensor
   const Eigen::VectorXd spread = (estimation::steady_gain(model).H * model.health_sigma.asDiagonal()).rowwise().norm();
@@ -63,6 +63,7 @@ SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOp
                                  spread(at) / spreads_of_range}));
     const SensorKind kind = sensor_kind(options, sensors, model, i);
     stuck_.emplace_back(kind);
+    may_be_quiet_.push_back(kind.operators_limit != 0);
     told_.push_back(kind.update_samples > 0);
   }
 }
@@ -86,13 +87,16 @@ std::uint32_t SensorCheck::reasons(const Sample& sample, int sensor, int steps) 
   if (reasons != 0) return reasons;  // says nothing of how a healthy sensor repeats itself
 
   stuck.take(value, steps);
+  if (stuck.fresh() && may_be_quiet_[i]) quiet_[i].take(value);
   if (stuck.frozen()) return reason::stuck;
+  if (quiet_[i].frozen()) return reason::stuck | reason::quiet;
   return stuck.fresh() ? 0 : reason::repeated;
 }
 
 void SensorCheck::reset() noexcept {
   std::fill(memory_.begin(), memory_.end(), Memory{});
   for (StuckWatch& stuck : stuck_) stuck.restart();
+  for (QuietWatch& quiet : quiet_) quiet.restart();
 }
 
 }  // namespace ehm::monitor

@@ -1,6 +1,6 @@
 #pragma once
 // What one sensor's value tells by itself, before any model is asked: validity bit, finite, range, rate, and beside its
-// last ones stuck or held (stuck_watch.h).
+// last ones stuck or held (stuck_watch.h), or without its noise (quiet_watch.h).
 //
 // The result is a set of wire::reject_reason bits, 0 for a plausible value. A value that a slow sensor still holds is
 // plausible, but no news: it is `repeated`, and fused once. Real-time safe: yes.
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "monitor/checks/quiet_watch.h"
 #include "monitor/checks/stuck_watch.h"
 #include "monitor/estimation/linear_model.h"
 #include "monitor/options.h"
@@ -30,6 +31,7 @@ class SensorCheck {
   void reset() noexcept;
 
   const StuckWatch& stuck(int sensor) const noexcept { return stuck_[static_cast<std::size_t>(sensor)]; }
+  const QuietWatch& quiet(int sensor) const noexcept { return quiet_[static_cast<std::size_t>(sensor)]; }
   /// Samples for which a sensor holds each value without the design knowing; 1 for most.
   std::int64_t untold_hold(int sensor) const noexcept {
     return told_[static_cast<std::size_t>(sensor)] ? 1 : stuck(sensor).hold();
@@ -45,7 +47,9 @@ class SensorCheck {
   std::vector<double> trim_, percent_;  ///< trim, and what one percent is, by sensor
   std::vector<Memory> memory_;
   std::vector<StuckWatch> stuck_;
-  std::vector<bool> told_;  ///< by sensor: the model states its update period
+  std::vector<QuietWatch> quiet_;
+  std::vector<bool> may_be_quiet_;  ///< by sensor: its operator has not said that it is never stuck
+  std::vector<bool> told_;          ///< by sensor: the model states its update period
 };
 
 /// What model and operator know of a sensor.

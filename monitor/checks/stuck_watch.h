@@ -13,8 +13,7 @@
 //              shortest run of a noisy one. The limit is in updates then.
 //
 // A run is at least `least` samples long before it counts; an operator's own limit replaces all of this. A frozen
-// sensor whose noise is missing though its values still differ would be told here too, from the same steps.
-// Real-time safe: yes.
+// sensor whose values still differ is quiet_watch.h's. Real-time safe: yes.
 
 #include <algorithm>
 #include <cmath>

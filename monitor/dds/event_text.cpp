@@ -50,6 +50,12 @@ std::string reasons(std::uint32_t detail) {
 std::string sensor_fault(const Event& e, const estimation::LinearModel& model) {
   namespace reason = wire::reject_reason;
   const auto& sensor = model.sensors.at(e.channel);
+  if (e.detail & reason::quiet)
+    return fmt::format(
+        "stuck: its noise is missing, it moves by {:.3g} {} where a healthy one moves by {:.3g} at least; "
+        "stuck_samples = 0 "
+        "in its [[sensor]] table turns this off",
+        e.value, sensor.unit, e.threshold);
   if (e.detail & reason::stuck)
     return fmt::format(
         "stuck: {:.0f} equal values in a row, a healthy one shows fewer than {:.0f}; stuck_samples in its "
@@ -129,9 +135,11 @@ std::string unlikely_engine(const Event& e, const estimation::LinearModel& model
 std::string restart_reason(const Event& e) {
   switch (static_cast<RestartReason>(e.detail)) {
     case RestartReason::command:
-      return "by an operator's command";
+      return "reset by an operator";
     case RestartReason::other_design:
       return "with another design or other options";
+    case RestartReason::described_anew:
+      return "its source describes its channels otherwise than before";
     case RestartReason::source_restarted:
       return e.value == 0.0
                  ? "the source restarted, its numbers begin anew"
@@ -176,6 +184,7 @@ std::string channel_name(const Event& event, const estimation::LinearModel& mode
 std::string event_text(const Event& e, const estimation::LinearModel& model) {
   const auto* c = channel_of(e, model);
   if (!e.raised && e.detail == Event::design_exchanged) return "ended: another design, or other options, fly";
+  if (!e.raised && e.detail == Event::judged_anew) return "ended: the filter started anew, and judges anew";
   switch (e.kind) {
     case wire::EventKind::sensor_fault:
       return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, sensor_fault(e, model))

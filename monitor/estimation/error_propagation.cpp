@@ -10,6 +10,7 @@ ErrorPropagation::ErrorPropagation(const ErrorModel& model) : model_(&model) {
 
 void ErrorPropagation::reset(const ErrorModel& model) noexcept {
   model_ = &model;
+  excess_ = 1.0;
   mean_.setZero(model.drive.rows(), model.drive.cols());
   covariance_ = model.start;
   remaining_ = model.settling_samples;
@@ -59,21 +60,33 @@ void ErrorPropagation::read_out() noexcept {
   sensor_bias_ -= m.sensor_truth;
   sensor_spread_.noalias() = m.prediction.lazyProduct(covariance_);
 
-  // Diagonal entry i of bias bias^T + spread output^T.
-  const auto variance = [](const auto& bias, const auto& spread, const auto& output, Eigen::Index i) {
-    return bias.row(i).squaredNorm() + spread.row(i).dot(output.row(i));
-  };
-  health_sigma_.resize(m.health_scale.size());
-  for (Eigen::Index i = 0; i < health_sigma_.size(); ++i)
-    health_sigma_(i) = m.health_scale(i) * std::sqrt(variance(health_bias_, health_spread_, m.health_output, i));
-  auxiliary_sigma_.resize(m.auxiliary_scale.size());
-  for (Eigen::Index i = 0; i < auxiliary_sigma_.size(); ++i)
-    auxiliary_sigma_(i) =
-        m.auxiliary_scale(i) * std::sqrt(variance(auxiliary_bias_, auxiliary_spread_, m.auxiliary_output, i));
+  const Eigen::Index health = m.health_truth.rows();
+  health_parts_.take(health_bias_, health_spread_, m.health_output, health);
+  auxiliary_parts_.take(auxiliary_bias_, auxiliary_spread_, m.auxiliary_output, health);
   innovation_variance_.resize(m.sensor_scale.size());
   for (Eigen::Index i = 0; i < innovation_variance_.size(); ++i)
-    innovation_variance_(i) = m.sensor_scale(i) * m.sensor_scale(i) *
-                              (variance(sensor_bias_, sensor_spread_, m.prediction, i) + m.innovation_noise(i));
+    innovation_variance_(i) =
+        m.sensor_scale(i) * m.sensor_scale(i) *
+        (sensor_bias_.row(i).squaredNorm() + sensor_spread_.row(i).dot(m.prediction.row(i)) + m.innovation_noise(i));
+  publish();
+}
+
+/// Diagonals of bias bias^T, columns of the health and the others, and of spread output^T.
+template <int Max>
+template <class Bias, class Spread, class Output>
+void ErrorPropagation::Parts<Max>::take(const Bias& bias, const Spread& spread, const Output& output,
+                                        Eigen::Index health) noexcept {
+  prior = bias.leftCols(health).rowwise().squaredNorm();
+  nonlinear = bias.rightCols(bias.cols() - health).rowwise().squaredNorm();
+  noise = spread.cwiseProduct(output).rowwise().sum();
+}
+
+void ErrorPropagation::publish() noexcept {
+  const auto sigma = [this](const auto& parts, const auto& scale) {
+    return scale.cwiseProduct((parts.noise + excess_ * parts.prior + excess_ * excess_ * parts.nonlinear).cwiseSqrt());
+  };
+  health_sigma_ = sigma(health_parts_, model_->health_scale);
+  auxiliary_sigma_ = sigma(auxiliary_parts_, model_->auxiliary_scale);
 }
 
 }  // namespace ehm::estimation

@@ -9,6 +9,9 @@
 // with Acl = (I - K C) A, dx the engine's own motion about its balance, dx[k+1] = A dx[k] + w, cov(w) = Q, and
 // Qw = blkdiag(Q, 0). The published standard deviations are the roots of the diagonals of
 //   (Th M - Gh)(..)^T + Th S Th^T    and    (Tz M - Gz)(..)^T + Tz S Tz^T.
+// For an engine far outside the fleet the parts that were measured over the fleet grow (judge/fleet_watch.h): with the
+// excess e the columns of M - G of the health by e^1/2, those of the nonlinearity, which grows with the square of the
+// health, by e. e = 1 within the fleet.
 // M_0 = 0 and S_0 = blkdiag(cov(dx), 0) for a cold start, with the stationary cov(dx) = A cov(dx) A^T + Q: the engine
 // has run before the monitor looks at it, and the first sigma is the prior's. The limit k -> infinity is THEORY.md
 // section 4.
@@ -68,6 +71,13 @@ class ErrorPropagation {
   /// One sample further; costs nothing once settled. Real-time safe: yes.
   void step() noexcept;
 
+  /// The sigmas are those of an engine with this excess, 1 or more, from now on. Real-time safe: yes.
+  void widen(double excess) noexcept {
+    if (excess == excess_) return;
+    excess_ = excess;
+    publish();
+  }
+
   bool settled() const noexcept { return remaining_ <= 0; }
   const HealthVector& health_sigma() const noexcept { return health_sigma_; }
   const AuxiliaryVector& auxiliary_sigma() const noexcept { return auxiliary_sigma_; }
@@ -75,7 +85,16 @@ class ErrorPropagation {
   const SensorVector& innovation_variance() const noexcept { return innovation_variance_; }
 
  private:
+  /// Parts of the variance of one kind of output, scaled units: of the fleet's health, its nonlinearity, the noise.
+  template <int Max>
+  struct Parts {
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Max, 1> prior, nonlinear, noise;
+    template <class Bias, class Spread, class Output>
+    void take(const Bias& bias, const Spread& spread, const Output& output, Eigen::Index health) noexcept;
+  };
+
   void read_out() noexcept;
+  void publish() noexcept;
 
   const ErrorModel* model_;
   BoundedMatrix<max_augmented, max_unknowns> mean_, mean_next_;       ///< M
@@ -86,6 +105,9 @@ class ErrorPropagation {
   BoundedMatrix<max_auxiliary, max_augmented> auxiliary_spread_;      ///< Tz S
   BoundedMatrix<max_sensors, max_unknowns> sensor_bias_;              ///< C A M - Gy
   BoundedMatrix<max_sensors, max_augmented> sensor_spread_;           ///< C A S
+  Parts<max_health> health_parts_;
+  Parts<max_auxiliary> auxiliary_parts_;
+  double excess_ = 1.0;
   HealthVector health_sigma_;
   AuxiliaryVector auxiliary_sigma_;
   SensorVector innovation_variance_;

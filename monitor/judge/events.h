@@ -11,14 +11,15 @@
 namespace ehm::monitor {
 
 struct Event {
+  /// Details of an event that ends a condition though nothing has become better: another design flies from now on, or
+  /// the filter starts anew.
+  static constexpr std::uint32_t design_exchanged = 0x8000'0000u, judged_anew = 0x8000'0001u;
+
   wire::EventKind kind{};
   std::uint32_t channel = 0;
   bool raised = false;
   double value = 0.0;
   double threshold = 0.0;
-  /// Detail of an event that ends a condition because another design flies from now on.
-  static constexpr std::uint32_t design_exchanged = 0x8000'0000u;
-
   std::uint32_t detail = 0;  ///< sensor_fault: wire::reject_reason bits; condition_fault: 0 moved, 1 lost
   double age_s = 0.0;        ///< how long before this sample it began; 0 where nobody knows
 };
@@ -62,6 +63,10 @@ class Condition {
   /// Ends it with the design that it is of.
   void end_with_design(wire::EventKind kind, std::uint32_t channel, EventList& events) noexcept {
     set(false, {kind, channel, false, 0.0, 0.0, Event::design_exchanged}, events);
+  }
+  /// Ends it with the filter that has found it.
+  void judge_anew(wire::EventKind kind, std::uint32_t channel, EventList& events) noexcept {
+    set(false, {kind, channel, false, 0.0, 0.0, Event::judged_anew}, events);
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "monitor/judge/slow_bias.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -36,8 +37,7 @@ std::shared_ptr<const SlowBiasTable> slow_bias_table(const design::Design& desig
   table->distance = HW.transpose() * inverse * HW;
   table->bias_per_z = design.scaling.sensor.cwiseQuotient(root);
   table->ordinary = chi_square_quantile(static_cast<double>(m), normal_quantile_above(ordinary_tail));
-  const Eigen::VectorXd detectability =
-      design::slow_bias_detectability(design.model, design.scaling, design.full);
+  const Eigen::VectorXd detectability = design::slow_bias_detectability(design.model, design.scaling, design.full);
   for (Eigen::Index i = 0; i < m; ++i)
     table->watched[static_cast<std::size_t>(i)] = detectability(i) > design::least_detectability;
   table->persistence_samples = std::llround(persistence_s / design.model.sample_time_s);
@@ -82,10 +82,14 @@ bool SlowBias::ended_by(int sensor, double size) const noexcept {
   return watches(sensor) && -2.0 * z_(sensor) * step - step * step > least_gain_;
 }
 
+bool SlowBias::raised() const noexcept {
+  return std::any_of(conditions_.begin(), conditions_.end(), [](const Condition& c) { return c.raised(); });
+}
+
 void SlowBias::reset(EventList& events) noexcept {
   above_.fill(0);
   for (std::size_t i = 0; i < conditions_.size(); ++i)
-    conditions_[i].set(false, {wire::EventKind::slow_bias, static_cast<std::uint32_t>(i), false, 0.0, 0.0, 0}, events);
+    conditions_[i].judge_anew(wire::EventKind::slow_bias, static_cast<std::uint32_t>(i), events);
 }
 
 }  // namespace ehm::monitor

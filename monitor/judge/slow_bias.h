@@ -55,6 +55,8 @@ class SlowBias {
   void reset(EventList& events) noexcept;
   /// Does a step of `size` (sensor units) of a sensor end a drift that the filter has followed?
   bool ended_by(int sensor, double size) const noexcept;
+  /// A drift of any sensor is raised.
+  bool raised() const noexcept;
   bool watches(int sensor) const noexcept { return table_->watched[static_cast<std::size_t>(sensor)]; }
 
  private:

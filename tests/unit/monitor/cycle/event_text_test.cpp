@@ -1,5 +1,5 @@
-#include "idl/printable.h"
 #include "monitor/dds/event_text.h"
+#include "idl/printable.h"
 
 #include <gmock/gmock.h>
 
@@ -63,7 +63,7 @@ TEST(EventText, SaysWhyTheFilterStartedAnew) {
   const auto restart = [](RestartReason reason, double seconds) {
     return text({EventKind::filter_restart, 0, true, seconds, 2.0, static_cast<std::uint32_t>(reason)});
   };
-  EXPECT_EQ(restart(RestartReason::command, 0.0), "the filter started anew: by an operator's command");
+  EXPECT_EQ(restart(RestartReason::command, 0.0), "the filter started anew: reset by an operator");
   EXPECT_EQ(restart(RestartReason::other_design, 0.0), "the filter started anew: with another design or other options");
   EXPECT_EQ(restart(RestartReason::source_restarted, 0.2),
             "the filter started anew: the source restarted, its numbers begin anew (+0.200 s by its clock)");

@@ -296,6 +296,49 @@ TEST_F(MonitorCycleTest, SameSamplesSameBits) {
   EXPECT_EQ(cycle_.error().health_sigma(), other.error().health_sigma());
 }
 
+TEST_F(MonitorCycleTest, AnOperatorsResetReadmitsNoSensorThatWasNamed) {
+  const auto biased = [&](Sample& s) { s.sensor[sensor] += 12.0 * noise(sensor); };
+  fly(settle);
+  fly(600, biased);
+  ASSERT_FALSE(cycle_.result().sensors_used[sensor]);
+  events_.clear();
+  cycle_.reset();
+  fly(3000, biased);
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 0);
+  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  expect_within_sigmas(3.0);
+  // Well again it returns, though not before the filter is warm enough to judge it.
+  cycle_.reset();
+  fly(400);
+  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  fly(3000);
+  EXPECT_TRUE(cycle_.result().sensors_used[sensor]);
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 1);
+}
+
+TEST_F(MonitorCycleTest, AGapReadmitsNoSensorThatWasNamed) {
+  const auto biased = [&](Sample& s) { s.sensor[sensor] += 12.0 * noise(sensor); };
+  fly(settle);
+  fly(600, biased);
+  for (int i = 0; i < 400; ++i) flight_->next();  // six seconds
+  fly(1000, biased);
+  EXPECT_EQ(cycle_.counters().restarts, 1u);
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 0);
+  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+}
+
+TEST_F(MonitorCycleTest, AFrozenSensorWhoseLastBitTogglesIsNamed) {
+  fly(settle);
+  double held = 0.0;
+  fly(300, [&](Sample& s) {
+    if (held == 0.0) held = s.sensor[sensor];
+    held = s.sensor[sensor] = std::nextafter(held, s.sequence % 2 ? 1e9 : -1e9);
+  });
+  EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 1);
+  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_TRUE(cycle_.result().reason[sensor] & reason::quiet);
+}
+
 TEST_F(MonitorCycleTest, ResetStartsCold) {
   fly(settle);
   cycle_.reset();

@@ -1,0 +1,127 @@
+#include "monitor/judge/fleet_watch.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "monitor/estimation/scaling.h"
+#include "monitor/estimation/stationary_covariance.h"
+#include "monitor/estimation/steady_gain.h"
+#include "monitor/judge/quantiles.h"
+
+namespace ehm::monitor {
+
+namespace {
+
+constexpr double ordinary_tail = 1e-3;
+constexpr double stands_apart = 3.0;
+constexpr double clear_share = 0.8;
+
+FleetTable make_table(const design::SubsetDesign& subset, const estimation::ErrorModel& error,
+                      const Eigen::MatrixXd& H) {
+  const Eigen::MatrixXd closed_loop = error.closed_loop;
+  const Eigen::Index size = closed_loop.rows(), t = subset.V.rows();
+  const Eigen::MatrixXd mean = (Eigen::MatrixXd::Identity(size, size) - closed_loop)
+                                   .partialPivLu()
+                                   .solve(Eigen::MatrixXd(error.drive))
+                                   .bottomRows(t);
+  const Eigen::MatrixXd covariance =
+      mean * mean.transpose() + estimation::stationary_covariance(closed_loop, error.noise).bottomRightCorner(t, t);
+  const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+  if (factor.info() != Eigen::Success)
+    throw std::invalid_argument("the covariance of the design's tuners over the fleet is not positive definite");
+  const Eigen::MatrixXd HW = H * subset.W;
+  const Eigen::VectorXd spread = (HW * covariance * HW.transpose()).diagonal().cwiseSqrt();
+
+  FleetTable table;
+  table.information = factor.solve(Eigen::MatrixXd::Identity(t, t));
+  table.stance = spread.cwiseMax(1e-12).cwiseInverse().asDiagonal() * HW;
+  table.tuners = static_cast<double>(t);
+  table.ordinary = chi_square_quantile(table.tuners, normal_quantile_above(ordinary_tail));
+  return table;
+}
+
+}  // namespace
+
+std::shared_ptr<const FleetTables> fleet_tables(const design::Design& design,
+                                                const std::vector<estimation::ErrorModel>& error_models) {
+  const Eigen::MatrixXd H = estimation::steady_gain(estimation::scaled(design.model, design.scaling)).H;
+  auto tables = std::make_shared<FleetTables>();
+  tables->emplace_back(make_table(design.full, error_models.front(), H));
+  for (std::size_t i = 0; i < design.missing.size(); ++i)
+    tables->push_back(design.missing[i] ? std::optional(make_table(*design.missing[i], error_models[1 + i], H))
+                                        : std::nullopt);
+  return tables;
+}
+
+FleetWatch::FleetWatch(const FleetOptions& options, const estimation::LinearModel& model,
+                       std::shared_ptr<const FleetTables> tables)
+    : tables_(std::move(tables)),
+      warn_sigma_(options.warn_sigma),
+      farther_(options.withhold_sigma / options.warn_sigma),
+      persistence_samples_(std::llround(options.persistence_s / model.sample_time_s)),
+      trim_(static_cast<Eigen::Index>(model.health.size())),
+      sigma_(model.health_sigma),
+      far_(model.health.size()),
+      implausible_health_(model.health.size()) {
+  const double z = normal_quantile_above(std::erfc(warn_sigma_ / std::sqrt(2.0)));
+  for (const auto& table : *tables_)
+    distance_limits_.push_back(table ? std::sqrt(chi_square_quantile(table->tuners, z)) : 0.0);
+  for (Eigen::Index i = 0; i < trim_.size(); ++i) trim_(i) = model.health[static_cast<std::size_t>(i)].trim;
+}
+
+bool FleetWatch::Persistent::judge(double value, double limit, std::int64_t persistence) noexcept {
+  above = value > limit ? above + 1 : 0;
+  raised = raised ? value > clear_share * limit : above > persistence;
+  return raised;
+}
+
+void FleetWatch::judge(const estimation::TunerVector& tuners, const estimation::HealthVector& health, int missing,
+                       EventList& events) noexcept {
+  const auto set = static_cast<std::size_t>(1 + missing);
+  const FleetTable& table = *(*tables_)[set];
+  const double distance2 = tuners.dot(table.information.lazyProduct(tuners));
+  excess_ = 1.0 + std::max(0.0, distance2 - table.ordinary) / table.tuners;
+
+  const double distance = std::sqrt(std::max(0.0, distance2)), limit = distance_limits_[set];
+  implausible_ = far_together_.judge(distance, limit, persistence_samples_);
+  unlikely_.set(implausible_,
+                {wire::EventKind::unlikely_engine, 0, false, distance, limit,
+                 implausible_ != unlikely_.raised() ? apart(tuners, table) : 0},
+                events);
+  double farthest = distance / limit;
+  for (Eigen::Index i = 0; i < health.size(); ++i) {
+    if (!(sigma_(i) > 0.0)) continue;  // no engine of the fleet differs in it
+    const auto at = static_cast<std::size_t>(i);
+    const double z = std::abs(health(i) - trim_(i)) / sigma_(i);
+    const bool far = far_[at].judge(z, warn_sigma_, persistence_samples_);
+    implausible_health_[at].set(
+        far, {wire::EventKind::implausible, static_cast<std::uint32_t>(i), false, z, warn_sigma_, 0}, events);
+    implausible_ = implausible_ || far;
+    farthest = std::max(farthest, z / warn_sigma_);
+  }
+  withheld_.judge(farthest, farther_, persistence_samples_);
+}
+
+std::uint32_t FleetWatch::apart(const estimation::TunerVector& tuners, const FleetTable& table) const noexcept {
+  std::uint32_t sensors = 0;
+  for (Eigen::Index i = 0; i < table.stance.rows(); ++i)
+    if (std::abs(table.stance.row(i).dot(tuners)) > stands_apart) sensors |= 1u << i;
+  return sensors;
+}
+
+void FleetWatch::reset(EventList& events) noexcept {
+  for (std::size_t i = 0; i < far_.size(); ++i) {
+    far_[i] = {};
+    implausible_health_[i].judge_anew(wire::EventKind::implausible, static_cast<std::uint32_t>(i), events);
+  }
+  far_together_ = withheld_ = {};
+  unlikely_.judge_anew(wire::EventKind::unlikely_engine, 0, events);
+  excess_ = 1.0;
+  implausible_ = false;
+}
+
+}  // namespace ehm::monitor
