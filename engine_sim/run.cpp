@@ -108,7 +108,7 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
 
   Link link(config, simulation);
   service::TurnCounter turns;
-  const service::Watchdog watchdog(turns, "simulation");
+  const service::Watchdog watchdog({{&turns, "simulation"}});
   service::notify_ready();
   link.wait(config.wait_for_monitors, stop, turns);
 

@@ -195,6 +195,9 @@ void declare(Schema& schema, MonitorConfig& m) {
                  "filters prepared at start; samples of further engines are counted and refused");
   schema.real("monitor.status_period_s", m.status_period_s, 0.05, 60, "s",
               "time between MonitorStatus messages of an engine");
+  schema.real("monitor.forget_engine_s", m.forget_engine_s, 0, 1e6, "s",
+              "an engine without an [[engine]] table that has been silent for so long gives its filter to others; 0 is "
+              "never");
   schema.choice("monitor.clock", m.clock, {"monotonic", "source"},
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);

@@ -25,6 +25,7 @@ struct MonitorConfig {
   std::int64_t source_id = 101;
   std::int64_t max_engines = 16;
   double status_period_s = 1.0;
+  double forget_engine_s = 600.0;  ///< 0: never
   std::string clock = "monotonic";
   CycleOptions cycle;
   RealtimeOptions realtime;

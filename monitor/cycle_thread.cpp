@@ -32,6 +32,7 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
     : source_id_(static_cast<std::uint32_t>(config.source_id)),
       source_clock_(config.clock == "source"),
       status_period_ns_(static_cast<std::int64_t>(1e9 * config.status_period_s)),
+      forget_engine_s_(config.forget_engine_s),
       start_ns_(links.start_ns),
       engines_(&engines),
       exchange_(links.exchange),
@@ -73,14 +74,14 @@ void CycleThread::run_once() {
 /// What was estimated before its source said in which units the values are has to be forgotten.
 void CycleThread::hear_descriptions() {
   descriptions_.take([&](std::uint32_t engine_id, std::uint32_t source_id, DescribedSource& source) {
-    EngineSlot* slot = engines_->find(engine_id, false);
+    EngineSlot* slot = engines_->find(engine_id);
     if (!slot || slot->cycle.counters().received == 0 || slot->sample.source_id != source_id) return;
     const SourceFit before = source.fit;
     source.fit_to(slot->cycle.design().model);
     report_misfits(*slot, source);
     if (source.fit == before) return;
-    slot->cycle.reset();
-    if (records_) records_->marker(*slot, recording::RowKind::reset);
+    slot->cycle.reset(RestartReason::described_anew);
+    if (records_) records_->marker(*slot, recording::RowKind::described_anew);
     report_events(*slot);
   });
 }
@@ -98,7 +99,7 @@ void CycleThread::take_samples() {
 
 /// Only the first sample of an engine, or of another source or writer than before, may have to wait.
 bool CycleThread::awaits_description() {
-  const EngineSlot* slot = engines_->find(incoming_.engine_id(), false);
+  const EngineSlot* slot = engines_->find(incoming_.engine_id());
   if (slot && slot->cycle.counters().received > 0 && slot->sample.source_id == incoming_.source_id() &&
       slot->sample.writer == sensors_.writer())
     return false;
@@ -107,13 +108,9 @@ bool CycleThread::awaits_description() {
 
 void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
   turns_.turned();
-  EngineSlot* slot = engines_->find(sensors.engine_id(), sensors.schema() == wire::schema_version);
-  if (!slot) {
-    // Said once a thousand: a stray source must not fill the log.
-    if (unknown_engine_samples_++ % 1000 == 0)
-      reports_.push({Report::Kind::unknown_engine, sensors.engine_id(), nullptr, {}, unknown_engine_samples_, 0, {}});
-    return;
-  }
+  EngineSlot* slot = engines_->find(sensors.engine_id());
+  if (!slot) slot = admit(sensors);
+  if (!slot) return;
   convert(sensors, slot->sample);
   slot->sample.writer = sensors_.writer();
   fit_source(*slot);
@@ -129,6 +126,27 @@ void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) 
   if (records_) records_->sample(*slot, accepted);
   report_events(*slot);
   if (slot->cycle.counters().malformed != malformed) report_malformed(*slot);
+}
+
+/// A filter for an engine that has none; null if it gets none.
+EngineSlot* CycleThread::admit(const EngineSensors& sensors) {
+  convert(sensors, stray_);
+  if (EngineSlot* slot = engines_->join(sensors.engine_id(), stray_)) return slot;
+  // Said once a thousand: a stray source must not fill the log.
+  if (unknown_engine_samples_++ % 1000 != 0) return nullptr;
+  const EngineSlot* spare = engines_->spare();
+  const bool unusable = spare && sensors.engine_id() != 0;
+  Report report{unusable ? Report::Kind::malformed : Report::Kind::unknown_engine,
+                sensors.engine_id(),
+                unusable ? &spare->cycle.design() : nullptr,
+                {},
+                unknown_engine_samples_,
+                0,
+                {}};
+  report.malformed = {stray_.source_id, stray_.schema, stray_.sensor_count, stray_.actuator_count,
+                      unknown_engine_samples_};
+  reports_.push(report);
+  return nullptr;
 }
 
 /// The slot's sample in the design's units.
@@ -211,19 +229,20 @@ bool CycleThread::send(EngineSlot& slot, RankedWriter<T>& writer, const T& sampl
   return true;
 }
 
-void CycleThread::obey(const MonitorCommand& command) {
-  if (command.schema() != wire::schema_version) return;
-  if (command.kind() != static_cast<std::uint32_t>(wire::MonitorCommandKind::reset)) return;
-  engines_->for_each([&](EngineSlot& slot) {
-    if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
-    slot.cycle.reset();
-    if (records_) records_->marker(slot, recording::RowKind::reset);
-    report_events(slot);
-  });
+/// What it has raised ends, who reads it learns that it is gone, and its filter is free.
+void CycleThread::leave(EngineSlot& slot, double age_s) {
+  slot.cycle.retire();
+  report_events(slot);
+  report_event(slot, {wire::EventKind::engine_left, 0, true, age_s, forget_engine_s_, 0});
+  reports_.push({Report::Kind::engine_left, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
+  if (records_) records_->marker(slot, recording::RowKind::left);
+  release(slot);
+  engines_->leave(slot);
 }
 
 void CycleThread::watch_input(std::int64_t now_ns) {
   int statuses = 0;
+  EventList changes;
   engines_->for_each([&](EngineSlot& slot) {
     const std::int64_t last_ns = slot.heard_ns != 0 ? slot.heard_ns : start_ns_;
     const double age_s = 1e-9 * static_cast<double>(now_ns - last_ns);
@@ -231,6 +250,11 @@ void CycleThread::watch_input(std::int64_t now_ns) {
       if (slot.cycle.no_input(age_s) && records_) records_->input_lost(slot, now_ns - last_ns);
       report_events(slot);
     }
+    if (forget_engine_s_ > 0.0 && age_s > forget_engine_s_ && engines_->may_leave(slot) && reports_.has_room())
+      return leave(slot, age_s);
+    slot.resets.look(now_ns, changes);
+    for (const Event& event : changes) report_event(slot, event);
+    changes.clear();
     const StatusLevel level = level_of(slot);
     const bool due =
         now_ns - slot.status_ns >= status_period_ns_ || static_cast<std::uint32_t>(level) != slot.status_level;

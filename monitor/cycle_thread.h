@@ -54,10 +54,14 @@ class CycleThread {
   /// False if this monitor must not write now.
   template <class T>
   bool send(EngineSlot& slot, RankedWriter<T>& writer, const T& sample);
+  EngineSlot* admit(const EngineSensors& sensors);
   void obey(const MonitorCommand& command);
+  OrderOutcome::Kind carry_out(const MonitorCommand& command, OrderOutcome& outcome);
+  bool reset(EngineSlot& slot);
   void watch_input(std::int64_t now_ns);
   void judge_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
+  void leave(EngineSlot& slot, double age_s);
   bool incumbent() const { return peers_ && peers_->incumbent(); }
   void exchange_table();
   void release(EngineSlot& slot);
@@ -71,6 +75,7 @@ class CycleThread {
   std::uint32_t source_id_;
   bool source_clock_;
   std::int64_t status_period_ns_;
+  double forget_engine_s_;
   std::int64_t start_ns_;
   EngineTable* engines_;  ///< exchanged at a reload, between two turns
   TableExchange& exchange_;
@@ -95,6 +100,7 @@ class CycleThread {
   eprosima::fastdds::dds::ConditionSeq triggered_;
 
   EngineSensors incoming_;
+  Sample stray_;  ///< of an engine that has no filter
   EngineHealth health_sample_;
   EngineAuxiliary auxiliary_sample_;
   EngineResiduals residuals_sample_;

@@ -5,37 +5,12 @@
 
 #include "monitor/monitor_cycle.h"
 #include "monitor/realtime/latency_histogram.h"
+#include "monitor/reset_throttle.h"
 
 namespace ehm::monitor {
 
-struct EngineSlot {
-  EngineSlot(const PreparedDesign& design, const CycleOptions& options) : cycle(design, options) {}
-
-  /// Everything but the cycle: another design goes on for the same engine. Real-time safe: yes.
-  void inherit(const EngineSlot& before) noexcept {
-    cycle.adopt(before.cycle.counters());
-    latency = before.latency;
-    sample = before.sample;
-    last_sequence = before.last_sequence;
-    received_ns = before.received_ns;
-    heard_ns = before.heard_ns;
-    malformed_ns = before.malformed_ns;
-    deadline_misses = before.deadline_misses;
-    writes_refused = before.writes_refused;
-    status_ns = before.status_ns;
-    rate_ns = before.rate_ns;
-    rate_received = before.rate_received;
-    recorded_loss_after = before.recorded_loss_after;
-    status_records_lost = before.status_records_lost;
-    losing_records = before.losing_records;
-    status_level = before.status_level;
-    status_counters = before.status_counters;
-    status_records_lost = before.status_records_lost;
-    losing_records = before.losing_records;
-  }
-
-  std::uint32_t engine_id = 0;  ///< 0: not assigned yet
-  MonitorCycle cycle;
+/// What is counted and remembered of an engine beside its cycle; another design goes on with it.
+struct EngineTally {
   LatencyHistogram latency;
   Sample sample;                              ///< the latest, in order or not
   std::uint64_t last_sequence = 0;            ///< of the latest sample in order
@@ -51,7 +26,32 @@ struct EngineSlot {
   std::uint64_t status_records_lost = 0;      ///< rows lost up to the latest status
   Condition losing_records;                   ///< between the latest two of them
   std::uint32_t status_level = 0;
-  CycleCounters status_counters;           ///< at that status, to tell what is new
+  CycleCounters status_counters;  ///< at that status, to tell what is new
+  ResetThrottle resets;
+};
+
+struct EngineSlot : EngineTally {
+  EngineSlot(const PreparedDesign& design, const CycleOptions& options) : cycle(design, options) {}
+
+  /// Everything but the cycle: another design goes on for the same engine. Real-time safe: yes.
+  void inherit(const EngineSlot& before) noexcept {
+    cycle.adopt(before.cycle.counters());
+    static_cast<EngineTally&>(*this) = before;
+  }
+  /// As it was at start; `pristine` has the same design and options, and so a copy allocates nothing. Real-time safe:
+  /// yes.
+  void vacate(const MonitorCycle& pristine) noexcept {
+    cycle = pristine;
+    static_cast<EngineTally&>(*this) = {};
+    engine_id = 0;
+    checkpoint_ns = 0;
+    checkpoint_processed = 0;
+    released = false;
+  }
+
+  std::uint32_t engine_id = 0;  ///< 0: nobody's yet
+  std::size_t number = 0;       ///< its place in the table
+  MonitorCycle cycle;
   std::int64_t checkpoint_ns = 0;          ///< monotonic, of the latest checkpoint
   std::uint64_t checkpoint_processed = 0;  ///< samples processed up to that checkpoint
   bool released = false;                   ///< its estimates are no longer written: the monitor stops

@@ -26,15 +26,20 @@ EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before)
   const auto make_slot = [&](const std::string& file) {
     auto known = designs_.find(file);
     if (known == designs_.end()) known = designs_.emplace(file, prepare(file, before)).first;
-    return std::make_unique<EngineSlot>(known->second, config.cycle);
+    auto slot = std::make_unique<EngineSlot>(known->second, config.cycle);
+    slot->number = slots_.size();
+    return slot;
   };
   for (const auto& assignment : config.engines)
     for (const auto id : assignment.ids) {
       slots_.push_back(make_slot(assignment.design));
-      assign(slots_.size() - 1, static_cast<std::uint32_t>(id));
+      assign(*slots_.back(), static_cast<std::uint32_t>(id));
     }
+  named_ = slots_.size();
   if (config.design.empty()) return;
   while (slots_.size() < static_cast<std::size_t>(config.max_engines)) slots_.push_back(make_slot(config.design));
+  free_ = slots_.size() - named_;
+  if (free_ > 0) pristine_ = std::make_unique<const MonitorCycle>(slots_.back()->cycle);
 }
 
 std::vector<const design::Design*> EngineTable::designs() const {
@@ -51,22 +56,45 @@ const design::Design* EngineTable::design_of(std::uint32_t engine_id) const noex
   return nullptr;
 }
 
-EngineSlot* EngineTable::find(std::uint32_t engine_id, bool may_join) noexcept {
+EngineSlot* EngineTable::find(std::uint32_t engine_id) noexcept {
   if (engine_id == 0) return nullptr;  // reserved, see MonitorCommand
-  if (const std::size_t i = index_.find(engine_id); i != EngineIndex::none) return slots_[i].get();
-  if (!may_join || used_ == slots_.size()) return nullptr;
-  assign(used_, engine_id);
-  return slots_[used_ - 1].get();
+  const std::size_t i = index_.find(engine_id);
+  return i == EngineIndex::none ? nullptr : slots_[i].get();
+}
+
+const EngineSlot* EngineTable::spare() const noexcept {
+  if (free_ == 0) return nullptr;
+  const auto others = slots_.begin() + static_cast<std::ptrdiff_t>(named_);
+  const auto free = std::find_if(others, slots_.end(), [](const auto& slot) { return slot->engine_id == 0; });
+  return free->get();
+}
+
+EngineSlot* EngineTable::join(std::uint32_t engine_id, const Sample& first) noexcept {
+  const EngineSlot* free = spare();
+  return free && free->cycle.usable(first) ? join(engine_id) : nullptr;
+}
+
+EngineSlot* EngineTable::join(std::uint32_t engine_id) noexcept {
+  const EngineSlot* free = engine_id == 0 ? nullptr : spare();
+  if (!free) return nullptr;
+  --free_;
+  assign(*slots_[free->number], engine_id);
+  return slots_[free->number].get();
+}
+
+void EngineTable::leave(EngineSlot& slot) noexcept {
+  index_.remove(slot.engine_id);
+  slot.vacate(*pristine_);
+  ++free_;
 }
 
 bool EngineTable::same_engine(const EngineSlot& a, const EngineSlot& b) noexcept {
   return a.cycle.design().hash == b.cycle.design().hash && a.cycle.options() == b.cycle.options();
 }
 
-void EngineTable::assign(std::size_t slot, std::uint32_t engine_id) noexcept {
-  slots_[slot]->engine_id = engine_id;
-  index_.add(engine_id, slot);
-  ++used_;
+void EngineTable::assign(EngineSlot& slot, std::uint32_t engine_id) noexcept {
+  slot.engine_id = engine_id;
+  index_.add(engine_id, slot.number);
 }
 
 }  // namespace ehm::monitor

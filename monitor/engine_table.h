@@ -1,6 +1,7 @@
 #pragma once
 // The engines that this monitor serves. All filters are made at start; an engine that nobody named takes a spare one of
-// the default design when its first sample comes, so that the cycle path never allocates.
+// the default design when its first usable sample comes, so that the cycle path never allocates, and gives it back when
+// it has been silent for long.
 //
 // @throws design::FileError if a design file is bad; std::invalid_argument if an option does not fit a design.
 
@@ -20,23 +21,34 @@ class EngineTable {
   /// What `before` has prepared of designs with the same hash is shared with it: a reload keeps one copy in memory.
   explicit EngineTable(const MonitorConfig& config, const EngineTable* before = nullptr);
 
-  /// The engine's slot; null for an engine that no design serves or that finds no spare filter. A spare one is given
-  /// away only if `may_join`: not for a stray message that cannot be read. Real-time safe: yes.
-  EngineSlot* find(std::uint32_t engine_id, bool may_join) noexcept;
+  /// The engine's slot; null for one that has none. Real-time safe: yes.
+  EngineSlot* find(std::uint32_t engine_id) noexcept;
+  /// Gives a spare filter to an engine that has none; null where there is none left. Real-time safe: yes.
+  EngineSlot* join(std::uint32_t engine_id) noexcept;
+  /// The same, and null if this first sample is of no use: a stray message must not take a filter. Real-time safe: yes.
+  EngineSlot* join(std::uint32_t engine_id, const Sample& first) noexcept;
+  /// The filter that the next engine would get; null where there is none. Real-time safe: yes.
+  const EngineSlot* spare() const noexcept;
+  /// Is this the slot of an engine that nobody named, so that it may leave?
+  bool may_leave(const EngineSlot& slot) const noexcept { return slot.number >= named_; }
+  /// Takes the filter back, as it was at start. Real-time safe: yes.
+  void leave(EngineSlot& slot) noexcept;
   /// Takes over the engines that `old` has in use: those whose design and options are the same with their filter, the
   /// others with their counters, from a cold start. `changed(EngineSlot& old, EngineSlot& now)` is called for each of
   /// the latter. An engine that this table does not serve is left behind. Real-time safe: yes.
   template <class Changed>
   void take_over(EngineTable& old, Changed&& changed) {
-    for (std::size_t i = 0; i < old.used_; ++i) {
-      const std::uint32_t id = old.slots_[i]->engine_id;
-      if (!find(id, true)) continue;
-      std::unique_ptr<EngineSlot>& slot = slots_[index_.find(id)];
-      if (same_engine(*old.slots_[i], *slot)) {
-        slot.swap(old.slots_[i]);
+    for (std::unique_ptr<EngineSlot>& before : old.slots_) {
+      const std::uint32_t id = before->engine_id;
+      if (id == 0 || (!find(id) && !join(id))) continue;
+      const std::size_t number = index_.find(id);
+      std::unique_ptr<EngineSlot>& now = slots_[number];
+      if (same_engine(*before, *now)) {
+        now.swap(before);
+        now->number = number;
       } else {
-        slot->inherit(*old.slots_[i]);
-        changed(*old.slots_[i], *slot);
+        now->inherit(*before);
+        changed(*before, *now);
       }
     }
   }
@@ -45,7 +57,8 @@ class EngineTable {
   /// All slots in use.
   template <class Visit>
   void for_each(Visit&& visit) {
-    for (std::size_t i = 0; i < used_; ++i) visit(*slots_[i]);
+    for (const auto& slot : slots_)
+      if (slot->engine_id != 0) visit(*slot);
   }
   /// The designs that fly, each once; at least one.
   std::vector<const design::Design*> designs() const;
@@ -56,12 +69,13 @@ class EngineTable {
   using Designs = std::map<std::string, PreparedDesign>;
   static PreparedDesign prepare(const std::string& file, const EngineTable* before);
   static bool same_engine(const EngineSlot& a, const EngineSlot& b) noexcept;
-  void assign(std::size_t slot, std::uint32_t engine_id) noexcept;
+  void assign(EngineSlot& slot, std::uint32_t engine_id) noexcept;
 
   Designs designs_;
-  std::vector<std::unique_ptr<EngineSlot>> slots_;  // named engines first, then the spare ones
-  std::size_t used_ = 0;                            // slots in use
-  EngineIndex index_;                               // of those
+  std::vector<std::unique_ptr<EngineSlot>> slots_;  ///< of engines that were named first, then those for others
+  std::size_t named_ = 0, free_ = 0;                ///< of all slots
+  std::unique_ptr<const MonitorCycle> pristine_;    ///< of the others' design; null where there is none
+  EngineIndex index_;                               ///< of the slots in use
 };
 
 }  // namespace ehm::monitor

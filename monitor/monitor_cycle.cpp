@@ -1,6 +1,7 @@
 #include "monitor/monitor_cycle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -76,6 +77,13 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   update();
   conclude();
   return true;
+}
+
+bool MonitorCycle::usable(const Sample& sample) const noexcept {
+  if (sample_check_.malformed(sample)) return false;
+  for (int i = 0; i < sensors_; ++i)
+    if (sample.sensor_valid >> i & 1u && std::isfinite(sample.sensor[static_cast<std::size_t>(i)])) return true;
+  return false;
 }
 
 void MonitorCycle::judge() noexcept {

@@ -84,6 +84,8 @@ class MonitorCycle {
   bool estimate(const Sample& sample) noexcept;
   /// Its second part, for a sample that was in order: faults, shifts, limits. Leaves the estimates alone.
   void judge() noexcept;
+  /// Could a filter begin with this sample: its shape is the design's, and a sensor has a value? Real-time safe: yes.
+  bool usable(const Sample& sample) const noexcept;
   /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. True if it does.
   /// Real-time safe: yes.
   bool no_input(double age_s) noexcept;

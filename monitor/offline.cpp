@@ -128,7 +128,8 @@ class OfflineRun {
 
   EngineSlot& slot_of(const Row& row) {
     const auto engine_id = static_cast<std::uint32_t>(row.a.unit);
-    if (EngineSlot* slot = engines_.find(engine_id, true)) return *slot;
+    if (EngineSlot* slot = engines_.find(engine_id)) return *slot;
+    if (EngineSlot* slot = engines_.join(engine_id)) return *slot;
     throw FileError(config_.offline.file + ": engine " + std::to_string(engine_id) +
                     " finds no filter: name it in an [[engine]] table or raise monitor.max_engines (now " +
                     std::to_string(config_.max_engines) + ")");
@@ -145,8 +146,8 @@ class OfflineRun {
       estimates_ += result.a.estimates != 0 && result.a.accepted != 0 ? 1 : 0;
       compare(row, result);
     } else {
-      obey_marker(row, slot);
       fill_marker(slot, row.kind(), row.a.age_ns, result);
+      obey_marker(row, slot);
     }
     lost_ = row.a.lost_before;
     result.a.received_ns = row.a.received_ns;
@@ -161,6 +162,10 @@ class OfflineRun {
       slot.cycle.no_input(1e-9 * static_cast<double>(row.a.age_ns));
     else if (row.kind() == RowKind::reset)
       slot.cycle.reset();
+    else if (row.kind() == RowKind::described_anew)
+      slot.cycle.reset(RestartReason::described_anew);
+    else if (row.kind() == RowKind::left && engines_.may_leave(slot))
+      engines_.leave(slot);
     else
       spdlog::warn("engine {}: the filter was resumed or reloaded here, which the recording cannot repeat",
                    slot.engine_id);

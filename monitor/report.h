@@ -28,8 +28,16 @@ struct SourceChannel {
   DescribedChannel said;
 };
 
+/// What became of a MonitorCommand that asks for an answer.
+struct OrderOutcome {
+  enum class Kind { done, other_schema, unknown_kind, not_served, too_soon };
+  Kind kind = Kind::done;
+  std::uint32_t request = 0, order = 0;    ///< of the command: its request number, its MonitorCommandKind
+  std::uint32_t engines = 0, refused = 0;  ///< that it is for; of those: not obeyed
+};
+
 struct Report {
-  enum class Kind { event, status, new_engine, unknown_engine, malformed, source_channel };
+  enum class Kind { event, status, new_engine, engine_left, unknown_engine, malformed, source_channel, reply };
   Kind kind = Kind::event;
   std::uint32_t engine_id = 0;
   const design::Design* design = nullptr;  ///< lives as long as the engine table
@@ -40,6 +48,7 @@ struct Report {
   EstimateSnapshot estimates = {};    ///< Kind::status
   Malformed malformed = {};           ///< Kind::malformed
   SourceChannel source_channel = {};  ///< Kind::source_channel
+  OrderOutcome outcome = {};          ///< Kind::reply
 };
 
 /// Room for several reports of each of a thousand engines between two turns of the reporter.

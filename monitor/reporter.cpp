@@ -12,6 +12,7 @@
 #include "monitor/dds/convert.h"
 #include "monitor/dds/event_text.h"
 #include "monitor/dds/misfit_text.h"
+#include "monitor/dds/order_reply.h"
 #include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
@@ -44,6 +45,7 @@ Reporter::Reporter(wire::Participant& participant, std::uint32_t source_id, Repo
       events_(participant),
       status_(participant),
       descriptions_(participant),
+      replies_(participant),
       thread_([this] { run(); }) {}
 
 Reporter::~Reporter() {
@@ -94,6 +96,12 @@ bool Reporter::report_next() {
     case Report::Kind::new_engine:
       report_new_engine(report);
       break;
+    case Report::Kind::engine_left:
+      report_left(report);
+      break;
+    case Report::Kind::reply:
+      report_reply(report);
+      break;
     case Report::Kind::unknown_engine:
       spdlog::warn(
           "engine {}: no design serves it ({} samples refused so far); name it in an [[engine]] table or raise "
@@ -109,6 +117,29 @@ void Reporter::report_new_engine(const Report& report) {
   descriptions_.write(description);
   board_.hang_up(description);
   spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
+  if (left_.erase(report.engine_id) == 0) return;
+  Report back = report;
+  back.event = {wire::EventKind::engine_left, 0, false, 0.0, 0.0, 0};
+  report_event(back);
+}
+
+/// Its event stays for who joins late; status and description end.
+void Reporter::report_left(const Report& report) {
+  constexpr std::size_t most_left = 65536;  // engines come and go for years
+  if (left_.size() < most_left) left_.insert(report.engine_id);
+  board_.take_down(report.engine_id);
+  MonitorStatus status;
+  status.engine_id(report.engine_id);
+  status.source_id(source_id_);
+  status_.release(status);
+  descriptions_.release(describe(*report.design, report.engine_id, source_id_));
+}
+
+void Reporter::report_reply(const Report& report) {
+  const CommandReply reply = reply_to(report.engine_id, report.outcome, source_id_);
+  replies_.write(reply);
+  spdlog::log(reply.accepted() != 0 ? spdlog::level::info : spdlog::level::warn, "order {} for engine {}: {}",
+              reply.request(), reply.engine_id(), reply.message().c_str());
 }
 
 void Reporter::report_event(const Report& report) {

@@ -2,6 +2,7 @@
 // The slow side of the service, on its own thread: log lines, HealthEvent, MonitorStatus and EngineDescription.
 
 #include <atomic>
+#include <set>
 #include <thread>
 
 #include "deploy/service/watchdog.h"
@@ -29,6 +30,8 @@ class Reporter {
   void run();
   bool report_next();
   void report_new_engine(const Report& report);
+  void report_left(const Report& report);
+  void report_reply(const Report& report);
   void report_event(const Report& report);
   void report_source_channel(const Report& report);
   void report_notices();
@@ -49,6 +52,8 @@ class Reporter {
   wire::Writer<HealthEvent> events_;
   wire::Writer<MonitorStatus> status_;
   wire::Writer<EngineDescription> descriptions_;
+  wire::Writer<CommandReply> replies_;
+  std::set<std::uint32_t> left_;  ///< engines that have left and not come back
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

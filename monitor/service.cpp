@@ -25,6 +25,7 @@ wire::ParticipantOptions service_participant(const MonitorConfig& config) {
   wire::ParticipantOptions options;
   options.domain = static_cast<std::uint32_t>(config.domain);
   options.name = "monitor " + std::to_string(config.source_id);
+  if (!config.partition.empty()) options.name += " of " + config.partition;
   options.profiles_file = config.profiles_file;
   options.profile = config.profile;
   options.partition = config.partition;
@@ -41,6 +42,14 @@ wire::ParticipantOptions watched_participant(const MonitorConfig& config, Notice
   options.input = input.request();
   options.on_incompatible = [&notices](const std::string& what) {
     notices.post({wire::EventKind::incompatible_qos, true, what});
+  };
+  options.on_namesake = [&notices, source_id = config.source_id](bool present) {
+    notices.post({wire::EventKind::second_monitor, present,
+                  present
+                      ? fmt::format("another monitor of this domain has monitor.source_id = {} too: give each its own",
+                                    source_id)
+                      : fmt::format("no other monitor has monitor.source_id = {} any more", source_id),
+                  0, static_cast<double>(source_id), 0.0});
   };
   options.on_unreadable = [&notices](bool present, const std::string& what) {
     notices.post({wire::EventKind::unreadable_peer, present, what});
@@ -163,7 +172,7 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
   const MetricsEndpoint metrics(
       config.metrics_listen, static_cast<std::uint32_t>(config.source_id), shared.board,
       {shared.cycle_turns, shared.reporter_turns, config.status_period_s, shared.certificate_expires_s});
-  const service::Watchdog watchdog(shared.cycle_turns, "cycle");
+  const service::Watchdog watchdog({{&shared.cycle_turns, "cycle"}, {&shared.reporter_turns, "reporter"}});
   const CycleLinks links{*shared.reports,
                          checkpoints ? &checkpoints->keeper : nullptr,
                          recorder ? &recorder->feed() : nullptr,

@@ -12,7 +12,7 @@ StatusLevel level_of(const EngineSlot& slot) noexcept {
   const CycleCounters &now = slot.cycle.counters(), &before = slot.status_counters;
   const bool troubled = now.lost != before.lost || now.malformed != before.malformed ||
                         now.reordered != before.reordered || now.foreign != before.foreign ||
-                        slot.cycle.order_troubled();
+                        slot.cycle.order_troubled() || slot.resets.raised();
   const bool restricted =
       (result.flags & (flag::degraded | flag::shifted | flag::implausible)) != 0 || slot.cycle.doubted();
   return troubled || restricted ? StatusLevel::warn : StatusLevel::ok;

@@ -18,9 +18,11 @@ inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 enum class RowKind : std::int64_t {
   sample = 0,
-  input_lost = 1,  ///< no sample for age_ns: the source is released
-  reset = 2,       ///< an operator restarted the filter
-  resumed = 3      ///< the filter did not start cold, but from a checkpoint or by a reload
+  input_lost = 1,      ///< no sample for age_ns: the source is released
+  reset = 2,           ///< an operator restarted the filter
+  resumed = 3,         ///< the filter did not start cold, but from a checkpoint or by a reload
+  described_anew = 4,  ///< the source described its channels otherwise: the filter restarted
+  left = 5             ///< silent for so long that its filter was given back
 };
 
 /// Table A: all whole numbers, in the order of its columns (layout.h names them). Unsigned values of the wire keep

@@ -5,7 +5,8 @@
 
 namespace ehm::service {
 
-Watchdog::Watchdog(const TurnCounter& loop, const char* what) : loop_(loop), what_(what) {
+Watchdog::Watchdog(std::vector<WatchedLoop> loops) {
+  for (const WatchedLoop& loop : loops) loops_.push_back({loop});
   std::uint64_t limit_us = 0;
   if (sd_watchdog_enabled(0, &limit_us) <= 0) return;
   period_ = std::chrono::microseconds(limit_us / 2);
@@ -23,22 +24,25 @@ Watchdog::~Watchdog() {
 }
 
 void Watchdog::run() {
-  std::uint64_t fed = 0;
-  bool hung = false;
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, period_, [this] { return stop_; })) {
-    const std::uint64_t turns = loop_.turns();
-    if (turns != fed) {
-      fed = turns;
-      if (hung) spdlog::warn("the {} turns again, the watchdog is fed", what_);
-      hung = false;
-      static_cast<void>(sd_notify(0, "WATCHDOG=1"));
-    } else if (!hung) {
-      hung = true;
-      spdlog::error("the {} has not turned for {:.1f} s, the watchdog is not fed", what_,
+  while (!wake_.wait_for(lock, period_, [this] { return stop_; }))
+    if (all_turn()) static_cast<void>(sd_notify(0, "WATCHDOG=1"));
+}
+
+bool Watchdog::all_turn() {
+  bool all = true;
+  for (Watched& watched : loops_) {
+    const std::uint64_t turns = watched.loop.turns->turns();
+    const bool hung = turns == watched.turns;
+    if (hung && !watched.hung)
+      spdlog::error("the {} has not turned for {:.1f} s, the watchdog is not fed", watched.loop.name,
                     std::chrono::duration<double>(period_).count());
-    }
+    if (!hung && watched.hung) spdlog::warn("the {} turns again", watched.loop.name);
+    watched.turns = turns;
+    watched.hung = hung;
+    all = all && !hung;
   }
+  return all;
 }
 
 }  // namespace ehm::service

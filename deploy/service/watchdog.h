@@ -1,7 +1,7 @@
 #pragma once
-// Feeds systemd's watchdog (WatchdogSec=, sd_watchdog_enabled(3)) only while a loop makes progress: a thread that looks
-// at the loop's turn counter twice per WATCHDOG_USEC, and sends WATCHDOG=1 if it has grown since the last look. A hung
-// loop is not fed, whatever else in the process still runs, and systemd restarts the service.
+// Feeds systemd's watchdog (WatchdogSec=, sd_watchdog_enabled(3)) only while every loop makes progress: a thread that
+// looks at their turn counters twice per WATCHDOG_USEC, and sends WATCHDOG=1 if all have grown since the last look. With
+// a hung loop it is not fed, whatever else in the process still runs, and systemd restarts the service.
 //
 // Without WATCHDOG_USEC there is no thread.
 
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace ehm::service {
 
@@ -24,19 +25,30 @@ class TurnCounter {
   std::atomic<std::uint64_t> turns_{0};
 };
 
+/// `name` stands in the log line that says why the watchdog is not fed.
+struct WatchedLoop {
+  const TurnCounter* turns;
+  const char* name;
+};
+
 class Watchdog {
  public:
-  /// `loop` must outlive this. `what` names the loop in the log line that says why it is not fed.
-  Watchdog(const TurnCounter& loop, const char* what);
+  /// The counters must outlive this.
+  explicit Watchdog(std::vector<WatchedLoop> loops);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
  private:
+  struct Watched {
+    WatchedLoop loop;
+    std::uint64_t turns = 0;  ///< at the last look
+    bool hung = false;
+  };
   void run();
+  bool all_turn();
 
-  const TurnCounter& loop_;
-  const char* what_;
+  std::vector<Watched> loops_;
   std::chrono::microseconds period_{0};
   std::mutex mutex_;
   std::condition_variable wake_;

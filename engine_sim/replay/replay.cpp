@@ -155,7 +155,7 @@ class Replay {
 
 void run_replay(const SimConfig& config, recording::RowSource& rows, const service::StopSignal& stop) {
   Replay replay(config, rows);
-  const service::Watchdog watchdog(replay.turns(), "replay");
+  const service::Watchdog watchdog({{&replay.turns(), "replay"}});
   service::notify_ready();
   replay.wait(config.wait_for_monitors, stop);
   spdlog::info("replay of {}{}", config.replay.file,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "idl/dds/namesakes.h"
 #include "idl/dds/stranger_watch.h"
 #include "idl/dds/unreadable_peers.h"
 
@@ -13,8 +14,9 @@ namespace ehm::wire {
 class DiscoveryListener : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
   /// Where the domain is not secured nobody watches who proves who they are.
-  DiscoveryListener(std::shared_ptr<UnreadablePeers> unreadable, bool secured, const StrangerWatch::Say& on_stranger)
-      : unreadable_(std::move(unreadable)) {
+  DiscoveryListener(std::shared_ptr<UnreadablePeers> unreadable, bool secured, const StrangerWatch::Say& on_stranger,
+                    const std::string& name, const Namesakes::Say& on_namesake)
+      : unreadable_(std::move(unreadable)), namesakes_(name, on_namesake) {
     if (secured) strangers_.emplace(on_stranger);
   }
   std::string await_proofs() { return strangers_ ? strangers_->await_proofs() : std::string(); }
@@ -28,6 +30,7 @@ class DiscoveryListener : public eprosima::fastdds::dds::DomainParticipantListen
 
   void on_participant_discovery(Participant* us, eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override {
     unreadable_->discovered(info);
+    namesakes_.discovered(info);
     if (strangers_) static_cast<Listener&>(*strangers_).on_participant_discovery(us, std::move(info));
   }
   void onParticipantAuthentication(Participant* us,
@@ -42,6 +45,7 @@ class DiscoveryListener : public eprosima::fastdds::dds::DomainParticipantListen
   }
 
   std::shared_ptr<UnreadablePeers> unreadable_;
+  Namesakes namesakes_;
   std::optional<StrangerWatch> strangers_;
 };
 

@@ -12,6 +12,7 @@
 
 #include "deploy/files/file_error.h"
 #include "deploy/files/input_file.h"
+#include "idl/dds/descriptors.h"
 #include "idl/dds/discovery_listener.h"
 #include "idl/dds/security.h"
 
@@ -91,6 +92,7 @@ void check_profile(const ParticipantOptions& options) {
 }
 
 Participant::Participant(ParticipantOptions options) : options_(std::move(options)) {
+  require_descriptors();
   create();
   dds::PublisherQos publisher_qos;
   dds::SubscriberQos subscriber_qos;
@@ -109,7 +111,8 @@ void Participant::create() {
   constexpr int joins = 3;
   unreadable_ = std::make_shared<UnreadablePeers>(options_.on_unreadable);
   for (int i = 1;; ++i) {
-    discovery_ = std::make_unique<DiscoveryListener>(unreadable_, !options_.security.empty(), options_.on_stranger);
+    discovery_ = std::make_unique<DiscoveryListener>(unreadable_, !options_.security.empty(), options_.on_stranger,
+                                                     options_.name, options_.on_namesake);
     participant_ = make_participant(options_, *discovery_);
     const std::string unproven = discovery_->await_proofs();
     if (unproven.empty() || i == joins) break;

@@ -57,6 +57,8 @@ struct ParticipantOptions {
   UnreadablePeers::Say on_unreadable;
   /// Told, on a middleware thread, of each participant that could not prove who it is.
   std::function<void(const std::string&)> on_stranger;
+  /// Told, on a middleware thread, when another participant bears our name, and when none does any more.
+  std::function<void(bool present)> on_namesake;
   /// Told, on the middleware's logging thread, of its own warnings and errors, which else go to standard error.
   std::function<void(const MiddlewareMessage&)> on_middleware;
 };

@@ -8,6 +8,9 @@ using eprosima::fastrtps::Duration_t;
 namespace {
 
 constexpr int command_depth = 1000;
+/// Keys that a reader keeps apart; each costs it some 230 bytes for good while its writer lives, so that whoever writes
+/// under made-up keys must not make us grow. Four of the largest fleets, and all their events.
+constexpr int stream_keys = 4096, state_keys = 65536;
 constexpr int state_depth = 16;  // the last changes of a condition, for who joins late
 
 Duration_t seconds(double s) {
@@ -24,7 +27,7 @@ void apply_common(Qos& qos, Delivery delivery, bool exclusive) {
   qos.history().depth = delivery == Delivery::stream    ? stream_depth
                         : delivery == Delivery::command ? command_depth
                                                         : state_depth;
-  qos.resource_limits().max_instances = 0;  // 0 is unlimited: a fleet has one key per engine
+  qos.resource_limits().max_instances = 0;  // 0 is unlimited
   qos.resource_limits().max_samples = 0;
   qos.resource_limits().max_samples_per_instance = 0;
   qos.ownership().kind = exclusive ? dds::EXCLUSIVE_OWNERSHIP_QOS : dds::SHARED_OWNERSHIP_QOS;
@@ -60,6 +63,7 @@ dds::DataReaderQos reader_qos(Delivery delivery, bool estimate, const Redundancy
   const bool exclusive = estimate && redundancy.exclusive;
   dds::DataReaderQos qos;
   apply_common(qos, delivery, exclusive);
+  qos.resource_limits().max_instances = delivery == Delivery::state ? state_keys : stream_keys;
   if (exclusive) {
     // By the estimates themselves: a monitor whose cycle hangs is passed over like one that is dead.
     qos.liveliness().kind = dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;

@@ -4,6 +4,18 @@
 
 namespace ehm::estimation {
 
+namespace {
+
+/// Diagonals of bias bias^T, the columns of the health and the others, and of spread output^T.
+template <class Bias, class Spread, class Output, class Parts>
+void split(const Bias& bias, const Spread& spread, const Output& output, Eigen::Index health, Parts& parts) noexcept {
+  parts.prior = bias.leftCols(health).rowwise().squaredNorm();
+  parts.nonlinear = bias.rightCols(bias.cols() - health).rowwise().squaredNorm();
+  parts.noise = spread.cwiseProduct(output).rowwise().sum();
+}
+
+}  // namespace
+
 ErrorPropagation::ErrorPropagation(const ErrorModel& model) : model_(&model) {
   reset(model);
 }
@@ -61,8 +73,8 @@ void ErrorPropagation::read_out() noexcept {
   sensor_spread_.noalias() = m.prediction.lazyProduct(covariance_);
 
   const Eigen::Index health = m.health_truth.rows();
-  health_parts_.take(health_bias_, health_spread_, m.health_output, health);
-  auxiliary_parts_.take(auxiliary_bias_, auxiliary_spread_, m.auxiliary_output, health);
+  split(health_bias_, health_spread_, m.health_output, health, health_parts_);
+  split(auxiliary_bias_, auxiliary_spread_, m.auxiliary_output, health, auxiliary_parts_);
   innovation_variance_.resize(m.sensor_scale.size());
   for (Eigen::Index i = 0; i < innovation_variance_.size(); ++i)
     innovation_variance_(i) =
@@ -71,22 +83,9 @@ void ErrorPropagation::read_out() noexcept {
   publish();
 }
 
-/// Diagonals of bias bias^T, columns of the health and the others, and of spread output^T.
-template <int Max>
-template <class Bias, class Spread, class Output>
-void ErrorPropagation::Parts<Max>::take(const Bias& bias, const Spread& spread, const Output& output,
-                                        Eigen::Index health) noexcept {
-  prior = bias.leftCols(health).rowwise().squaredNorm();
-  nonlinear = bias.rightCols(bias.cols() - health).rowwise().squaredNorm();
-  noise = spread.cwiseProduct(output).rowwise().sum();
-}
-
 void ErrorPropagation::publish() noexcept {
-  const auto sigma = [this](const auto& parts, const auto& scale) {
-    return scale.cwiseProduct((parts.noise + excess_ * parts.prior + excess_ * excess_ * parts.nonlinear).cwiseSqrt());
-  };
-  health_sigma_ = sigma(health_parts_, model_->health_scale);
-  auxiliary_sigma_ = sigma(auxiliary_parts_, model_->auxiliary_scale);
+  health_sigma_ = health_parts_.sigma(excess_, model_->health_scale);
+  auxiliary_sigma_ = auxiliary_parts_.sigma(excess_, model_->auxiliary_scale);
 }
 
 }  // namespace ehm::estimation

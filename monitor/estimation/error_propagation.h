@@ -56,6 +56,19 @@ struct ErrorState {
   int remaining = 0;                                       ///< samples until it counts as settled
 };
 
+/// What makes up the variance of each output of one kind, scaled units: of the fleet's health, of its nonlinearity, and
+/// of the noise.
+template <int Max>
+struct VarianceParts {
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Max, 1>;
+  Vector prior, nonlinear, noise;
+
+  /// Standard deviations in channel units of an engine with this excess. Real-time safe: yes.
+  Vector sigma(double excess, const Vector& scale) const noexcept {
+    return scale.cwiseProduct((noise + excess * prior + excess * excess * nonlinear).cwiseSqrt());
+  }
+};
+
 class ErrorPropagation {
  public:
   /// `model` must outlive this. Starts cold.
@@ -81,18 +94,12 @@ class ErrorPropagation {
   bool settled() const noexcept { return remaining_ <= 0; }
   const HealthVector& health_sigma() const noexcept { return health_sigma_; }
   const AuxiliaryVector& auxiliary_sigma() const noexcept { return auxiliary_sigma_; }
+  const VarianceParts<max_health>& health_variance() const noexcept { return health_parts_; }
+  const VarianceParts<max_auxiliary>& auxiliary_variance() const noexcept { return auxiliary_parts_; }
   /// Of the innovations of the next sample, sensor units squared.
   const SensorVector& innovation_variance() const noexcept { return innovation_variance_; }
 
  private:
-  /// Parts of the variance of one kind of output, scaled units: of the fleet's health, its nonlinearity, the noise.
-  template <int Max>
-  struct Parts {
-    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Max, 1> prior, nonlinear, noise;
-    template <class Bias, class Spread, class Output>
-    void take(const Bias& bias, const Spread& spread, const Output& output, Eigen::Index health) noexcept;
-  };
-
   void read_out() noexcept;
   void publish() noexcept;
 
@@ -105,8 +112,8 @@ class ErrorPropagation {
   BoundedMatrix<max_auxiliary, max_augmented> auxiliary_spread_;      ///< Tz S
   BoundedMatrix<max_sensors, max_unknowns> sensor_bias_;              ///< C A M - Gy
   BoundedMatrix<max_sensors, max_augmented> sensor_spread_;           ///< C A S
-  Parts<max_health> health_parts_;
-  Parts<max_auxiliary> auxiliary_parts_;
+  VarianceParts<max_health> health_parts_;
+  VarianceParts<max_auxiliary> auxiliary_parts_;
   double excess_ = 1.0;
   HealthVector health_sigma_;
   AuxiliaryVector auxiliary_sigma_;

@@ -56,6 +56,11 @@ void StatusBoard::hang_up(std::uint32_t engine_id, const estimation::LinearModel
   engines_[engine_id].estimates = std::move(views);
 }
 
+void StatusBoard::take_down(std::uint32_t engine_id) {
+  const std::lock_guard lock(mutex_);
+  engines_.erase(engine_id);
+}
+
 FleetView StatusBoard::view() const {
   const std::lock_guard lock(mutex_);
   return engines_;

@@ -44,6 +44,9 @@ class StatusBoard {
   void hang_up(const EngineDescription& description);
   void hang_up(std::uint32_t engine_id, const estimation::LinearModel& model, const EstimateSnapshot& estimates);
 
+  /// The engine is not served any more.
+  void take_down(std::uint32_t engine_id);
+
   FleetView view() const;
   /// "3 engines: 2 OK, 1 STALE"
   std::string summary() const;

@@ -16,12 +16,15 @@ namespace ehm::monitor {
 
 namespace {
 
-constexpr double ordinary_tail = 1e-3;
+constexpr double common_tail = 0.05, ordinary_tail = 1e-3;
 constexpr double stands_apart = 3.0;
 constexpr double clear_share = 0.8;
 
-FleetTable make_table(const design::SubsetDesign& subset, const estimation::ErrorModel& error,
-                      const Eigen::MatrixXd& H) {
+}  // namespace
+
+FleetTable fleet_table(const design::Design& design, const design::SubsetDesign& subset,
+                       const estimation::ErrorModel& error) {
+  const Eigen::MatrixXd H = estimation::steady_gain(estimation::scaled(design.model, design.scaling)).H;
   const Eigen::MatrixXd closed_loop = error.closed_loop;
   const Eigen::Index size = closed_loop.rows(), t = subset.V.rows();
   const Eigen::MatrixXd mean = (Eigen::MatrixXd::Identity(size, size) - closed_loop)
@@ -40,19 +43,17 @@ FleetTable make_table(const design::SubsetDesign& subset, const estimation::Erro
   table.information = factor.solve(Eigen::MatrixXd::Identity(t, t));
   table.stance = spread.cwiseMax(1e-12).cwiseInverse().asDiagonal() * HW;
   table.tuners = static_cast<double>(t);
+  table.common = chi_square_quantile(table.tuners, normal_quantile_above(common_tail));
   table.ordinary = chi_square_quantile(table.tuners, normal_quantile_above(ordinary_tail));
   return table;
 }
 
-}  // namespace
-
 std::shared_ptr<const FleetTables> fleet_tables(const design::Design& design,
                                                 const std::vector<estimation::ErrorModel>& error_models) {
-  const Eigen::MatrixXd H = estimation::steady_gain(estimation::scaled(design.model, design.scaling)).H;
   auto tables = std::make_shared<FleetTables>();
-  tables->emplace_back(make_table(design.full, error_models.front(), H));
+  tables->emplace_back(fleet_table(design, design.full, error_models.front()));
   for (std::size_t i = 0; i < design.missing.size(); ++i)
-    tables->push_back(design.missing[i] ? std::optional(make_table(*design.missing[i], error_models[1 + i], H))
+    tables->push_back(design.missing[i] ? std::optional(fleet_table(design, *design.missing[i], error_models[1 + i]))
                                         : std::nullopt);
   return tables;
 }
@@ -83,8 +84,8 @@ void FleetWatch::judge(const estimation::TunerVector& tuners, const estimation::
                        EventList& events) noexcept {
   const auto set = static_cast<std::size_t>(1 + missing);
   const FleetTable& table = *(*tables_)[set];
-  const double distance2 = tuners.dot(table.information.lazyProduct(tuners));
-  excess_ = 1.0 + std::max(0.0, distance2 - table.ordinary) / table.tuners;
+  const double distance2 = table.distance2(tuners);
+  excess_ = table.excess(distance2);
 
   const double distance = std::sqrt(std::max(0.0, distance2)), limit = distance_limits_[set];
   implausible_ = far_together_.judge(distance, limit, persistence_samples_);

@@ -5,12 +5,14 @@
 //   Cq  = (M M^T + S), the rows of q       covariance of the tuner estimate over the fleet: its health, its
 //                                          nonlinearity and the noise; M and S are the limits of error_propagation.h
 //   d^2 = q^T Cq^-1 q                      chi-square with t degrees of freedom for an engine of the fleet
-//   e   = 1 + max(0, d^2 - c) / t          excess over the mean of the fleet, c: one engine in a thousand is beyond it
+//   e   = d^2 / t                          excess: the most likely square of how much wider than the fleet a population
+//                                          is that has such an engine; 1 up to c95, the distance^2 beyond which one
+//                                          engine in twenty lies, linear from there to c999, one in a thousand
 //   z_i = |h_i - trim_i| / sigma_i         estimate of health parameter i in sigmas of the prior
 //   y_i = |(H W q)_i| / root of (H W Cq W^T H^T)_ii                  where the estimate puts sensor i, likewise
 //
 // The errors of prior and nonlinearity were measured over the fleet; beyond it the first grows as d, the second as d^2,
-// and e tells by how much (ErrorPropagation::widen). Raised after persistence_s in a row, ended below 0.8 of it:
+// and e tells by how much (ErrorPropagation::widen; tuner_design evaluate --wear measures it). Raised after persistence_s in a row, ended below 0.8 of it:
 //   implausible      z_i above warn_sigma
 //   unlikely_engine  d above the chi-square's root with the tail of warn_sigma; it names the sensors with y_i above 3
 //   withheld         either farther out by withhold_sigma / warn_sigma: no estimate is published
@@ -19,7 +21,6 @@
 //
 // @throws std::runtime_error at construction of the tables if a closed loop is not stable.
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,12 +37,23 @@ namespace ehm::monitor {
 struct FleetTable {
   estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> information;  ///< Cq^-1
   estimation::BoundedMatrix<estimation::max_sensors, estimation::max_tuners> stance;      ///< y = |stance q|
-  double tuners = 0.0, ordinary = 0.0;                                                    ///< t, c
+  double tuners = 0.0, common = 0.0, ordinary = 0.0;                                      ///< t, c95, c999
+
+  /// d^2. Real-time safe: yes, both.
+  double distance2(const estimation::TunerVector& q) const noexcept { return q.dot(information.lazyProduct(q)); }
+  double excess(double distance2) const noexcept {
+    if (distance2 <= common) return 1.0;
+    if (distance2 >= ordinary) return distance2 / tuners;
+    return 1.0 + (distance2 - common) / (ordinary - common) * (ordinary / tuners - 1.0);
+  }
 };
 
 /// [0] full set, [1 + i] without sensor i, empty where no design flies so.
 using FleetTables = std::vector<std::optional<FleetTable>>;
 
+/// `error` as make_error_model makes it of the same subset.
+FleetTable fleet_table(const design::Design& design, const design::SubsetDesign& subset,
+                       const estimation::ErrorModel& error);
 /// What the judges of all engines of one design share. `error_models` as FleetTables.
 std::shared_ptr<const FleetTables> fleet_tables(const design::Design& design,
                                                 const std::vector<estimation::ErrorModel>& error_models);

@@ -20,7 +20,8 @@ namespace ehm::monitor {
 
 class Validity {
  public:
-  Validity(const ValidityOptions& options, const estimation::LinearModel& model) : options_(options), model_(model) {
+  /// `model` must outlive this.
+  Validity(const ValidityOptions& options, const estimation::LinearModel& model) : options_(options), model_(&model) {
     for (std::size_t i = 0; i < model.controls.size(); ++i) tolerance_[i] = tolerance(options, model.controls[i]);
   }
 
@@ -37,14 +38,14 @@ class Validity {
  private:
   double distance_of(const Sample& s) const noexcept {
     double distance = 0.0;
-    if (model_.operating_point) {
-      const auto& p = *model_.operating_point;
+    if (model_->operating_point) {
+      const auto& p = *model_->operating_point;
       distance = std::max({std::abs(s.flight.altitude_m - p.altitude_m) / options_.altitude_m,
                            std::abs(s.flight.mach - p.mach) / options_.mach,
                            std::abs(s.flight.delta_isa_k - p.delta_isa_k) / options_.delta_isa_k});
     }
-    for (std::size_t i = 0; i < model_.controls.size(); ++i)
-      distance = std::max(distance, std::abs(s.actuator[i] - model_.controls[i].trim) / tolerance_[i]);
+    for (std::size_t i = 0; i < model_->controls.size(); ++i)
+      distance = std::max(distance, std::abs(s.actuator[i] - model_->controls[i].trim) / tolerance_[i]);
     return distance;
   }
 
@@ -56,7 +57,7 @@ class Validity {
   }
 
   ValidityOptions options_;
-  const estimation::LinearModel& model_;
+  const estimation::LinearModel* model_;
   std::array<double, estimation::max_actuators> tolerance_{};
   Condition condition_;
 };

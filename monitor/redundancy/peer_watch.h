@@ -39,7 +39,6 @@ class PeerWatch {
 
   wire::Participant& participant_;
   std::uint32_t source_id_;
-  bool said_same_id_ = false;
   std::atomic<bool> heard_{false};  ///< the last estimate heard was ours; of the incumbent, until it yields
   std::atomic<bool> incumbent_{false}, stop_{false};
   WriteFence fence_;

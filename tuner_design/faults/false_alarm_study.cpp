@@ -17,7 +17,7 @@ constexpr double flight_s = 600.0;
 constexpr double wait_s = 2.0;  ///< beyond the convergence of the filter
 
 /// Rows of the study.
-enum Kind : std::size_t { bias, noise, other_sensor_fault, shift, ambiguous, slow_bias, kinds };
+enum Kind : std::size_t { bias, noise, other_sensor_fault, shift, ambiguous, slow_bias, implausible, kinds };
 
 struct Tally {
   std::array<std::size_t, kinds> events{};
@@ -41,6 +41,10 @@ void note(const monitor::Event& event, Tally& tally) {
       return;
     case wire::EventKind::slow_bias:
       ++tally.events[slow_bias];
+      return;
+    case wire::EventKind::implausible:
+    case wire::EventKind::unlikely_engine:
+      ++tally.events[implausible];
       return;
     default:
       return;
@@ -170,7 +174,12 @@ FalseAlarmStudy run_false_alarm_study(const design::Design& design, const FalseA
       // Of an engine of the fleet, whose health then looks like a bias: once a flight at most.
       row("slow bias",
           flown.faults.slow_bias_probability * static_cast<double>(design.model.sensors.size()) * 3600.0 / flight_s,
-          sum.events[slow_bias], study.hours)};
+          sum.events[slow_bias], study.hours),
+      // Likewise: an engine beyond warn_sigma in one of its health parameters, or in all its tuners together.
+      row("estimate beyond the fleet",
+          std::erfc(flown.fleet.warn_sigma / std::sqrt(2.0)) * static_cast<double>(1 + design.model.health.size()) *
+              3600.0 / flight_s,
+          sum.events[implausible], study.hours)};
   return study;
 }
 

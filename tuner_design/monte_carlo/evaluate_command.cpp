@@ -88,6 +88,12 @@ void add_evaluate_command(CLI::App& app, Action& run) {
       "--process-noise,!--no-process-noise", options.process_noise,
       "The engine that the Kalman filter flies on moves by the model's process noise (the default), or is "
       "in balance; the theory beside it is that of the same engine");
+  command
+      ->add_option("--wear", options.wear,
+                   "The engines that the Kalman filter flies on are worn so many times wider than the fleet: does the "
+                   "published sigma grow with them?")
+      ->check(CLI::Range(0.01, 20.0))
+      ->capture_default_str();
   command->add_option("--csv", arguments->csv, "Also write the numbers to this file")->type_name("FILE");
   add_output_options(*command, arguments->output);
   command->callback(

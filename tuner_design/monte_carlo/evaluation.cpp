@@ -15,6 +15,7 @@ void require_valid(const EvaluateOptions& options) {
   const auto refuse = [](const std::string& what) { throw std::invalid_argument(what); };
   if (!options.linear && !options.nonlinear) refuse("no truth is chosen; allowed: linear, nonlinear or both");
   if (!options.kalman && !options.map) refuse("no estimator is chosen; allowed: Kalman filter, MAP or both");
+  if (!(options.wear > 0.0)) refuse("wear is " + std::to_string(options.wear) + "; allowed: above 0");
   if (options.runs < 2) refuse("runs is " + std::to_string(options.runs) + "; allowed: 2 or more");
   if (options.engines < 2) refuse("engines is " + std::to_string(options.engines) + "; allowed: 2 or more");
 }
@@ -44,7 +45,8 @@ Evaluation evaluate(const design::Design& design, const EvaluateOptions& options
     };
     if (options.kalman) {
       const double each_s = cost_s(truth, true);
-      const KalmanOptions kalman{options.runs, window, options.seed, options.threads, options.process_noise};
+      const KalmanOptions kalman{options.runs,          window,      options.seed, options.threads,
+                                 options.process_noise, options.wear};
       result.experiments.push_back(kalman_experiment(design, truth, kalman, report(each_s)));
       before_s += static_cast<double>(options.runs) * each_s;
     }

@@ -156,6 +156,7 @@ Json evaluation_as_json(const Evaluation& evaluation, const Design& design, cons
           {"window_s", options.window},
           {"seed", options.seed},
           {"process_noise", options.process_noise},
+          {"wear", options.wear},
           {"auxiliary_unit", std::move(units)},
           {"experiments", std::move(experiments)}};
 }

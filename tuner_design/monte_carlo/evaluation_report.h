@@ -11,7 +11,7 @@
 
 namespace ehm::bench {
 
-/// Keys: name, hash, runs, engines, seconds, window_s, seed, process_noise, auxiliary_unit, experiments: an array of
+/// Keys: name, hash, runs, engines, seconds, window_s, seed, process_noise, wear, auxiliary_unit, experiments: an array of
 /// {estimator, truth, nonlinear, engines, without_steady_point, health, auxiliary}, the last two {total, by_channel} of
 /// {theory, linearisation, settled, experiment, standard_error, off_by, coverage, coverage_standard_error}; the total
 /// has no coverage, nor has MAP.

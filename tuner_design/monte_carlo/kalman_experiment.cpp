@@ -1,8 +1,11 @@
 #include "tuner_design/monte_carlo/kalman_experiment.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
 #include "monitor/estimation/error_propagation.h"
+#include "monitor/judge/fleet_watch.h"
 #include "tuner_design/discretise.h"
 #include "tuner_design/monte_carlo/engine_average.h"
 #include "tuner_design/monte_carlo/engine_motion.h"
@@ -18,23 +21,20 @@ using estimation::StateVector;
 
 constexpr double sigmas_of_95_percent = 1.959963984540054;  // normal quantile of 0.975
 
-/// What the published intervals reach to at each sample of the window: a column each.
-struct Intervals {
-  Eigen::MatrixXd health, auxiliary;
+/// What is published at one sample of the window, but for the engine's distance from the fleet.
+struct Published {
+  estimation::VarianceParts<estimation::max_health> health;
+  estimation::VarianceParts<estimation::max_auxiliary> auxiliary;
 };
 
-Intervals published_intervals(const design::Design& design, const Window& window) {
-  const estimation::ErrorModel model = design::make_error_model(design, design.full);
+std::vector<Published> published_in(const Window& window, const estimation::ErrorModel& model) {
   estimation::ErrorPropagation error(model);
-  Intervals intervals{Eigen::MatrixXd(design.model.L.cols(), window.averaged),
-                      Eigen::MatrixXd(design.model.F.rows(), window.averaged)};
+  std::vector<Published> published;
   for (int k = 0; k < window.samples; ++k) {
     error.step();
-    if (k < window.first()) continue;
-    intervals.health.col(k - window.first()) = sigmas_of_95_percent * error.health_sigma();
-    intervals.auxiliary.col(k - window.first()) = sigmas_of_95_percent * error.auxiliary_sigma();
+    if (k >= window.first()) published.push_back({error.health_variance(), error.auxiliary_variance()});
   }
-  return intervals;
+  return published;
 }
 
 /// Sums over a window of the squared errors of some channels and of how often they lay within the interval.
@@ -69,7 +69,9 @@ class Flights {
         options_(options),
         filter_(design::make_filter(design)),
         motion_(discretise(design.model), options.process_noise),
-        intervals_(published_intervals(design, options.window)) {}
+        error_(design::make_error_model(design, design.full)),
+        fleet_(monitor::fleet_table(design, design.full, error_)),
+        published_(published_in(options.window, error_)) {}
 
   Eigen::Index size() const { return 2 * (channels() + 1); }
   Eigen::Index channels() const { return design_.model.L.cols() + design_.model.F.rows(); }
@@ -78,7 +80,8 @@ class Flights {
   bool fly(std::size_t index, Eigen::VectorXd& numbers) const {
     RandomStream random(options_.seed, index);
     HealthVector health(design_.model.health_sigma.size());
-    for (Eigen::Index i = 0; i < health.size(); ++i) health(i) = design_.model.health_sigma(i) * random.normal();
+    for (Eigen::Index i = 0; i < health.size(); ++i)
+      health(i) = options_.wear * design_.model.health_sigma(i) * random.normal();
     const std::optional<EngineInBalance> engine = truth_.engine(health);
     if (!engine) return false;
 
@@ -93,10 +96,14 @@ class Flights {
       step(filter, *engine, dx, random);
       const int in_window = k - options_.window.first();
       if (in_window < 0) continue;
-      health_sums.add(filter.health() - true_health, intervals_.health.col(in_window));
+      const Published& now_published = published_[static_cast<std::size_t>(in_window)];
+      const double excess = fleet_.excess(fleet_.distance2(filter.tuners()));
+      health_sums.add(filter.health() - true_health,
+                      sigmas_of_95_percent * now_published.health.sigma(excess, error_.health_scale));
       AuxiliaryVector now = true_auxiliary;
       motion_.add_to_auxiliary(now, dx);
-      auxiliary_sums.add(filter.auxiliary() - now, intervals_.auxiliary.col(in_window));
+      auxiliary_sums.add(filter.auxiliary() - now,
+                         sigmas_of_95_percent * now_published.auxiliary.sigma(excess, error_.auxiliary_scale));
     }
     const int samples = options_.window.averaged;
     const Eigen::VectorXd health_error = health_sums.mean_square(design_.scaling.health, samples);
@@ -124,7 +131,9 @@ class Flights {
   const KalmanOptions& options_;
   const estimation::TunerFilter filter_;
   const EngineMotion motion_;
-  const Intervals intervals_;
+  const estimation::ErrorModel error_;
+  const monitor::FleetTable fleet_;
+  const std::vector<Published> published_;
   const estimation::SensorMask all_ = ~estimation::SensorMask();
 };
 
@@ -143,7 +152,9 @@ Experiment kalman_experiment(const design::Design& design, const Truth& truth, c
   };
   Experiment result;
   result.estimator = "Kalman filter";
-  result.truth = truth.description + (options.process_noise ? ", with process noise w" : ", without process noise");
+  result.truth = truth.description +
+                 (options.wear == 1.0 ? "" : fmt::format(", health {:g} times wider than the fleet's", options.wear)) +
+                 (options.process_noise ? ", with process noise w" : ", without process noise");
   result.nonlinear = truth.nonlinear;
   result.engines = average.engines;
   result.without_steady_point = average.left_out;

@@ -1,13 +1,14 @@
 #pragma once
 // The monitor's own filter, flown cold on many engines with constant health, beside the theory of the same window.
 //
-//   engine i   h ~ N(0, Ph), constant u, which the filter knows; it moves by dx about its balance y(h), z(h):
+//   engine i   h ~ N(0, wear^2 Ph), constant u, which the filter knows; it moves by dx about its balance y(h), z(h):
 //              y[k] = y(h) + c dx[k] + v[k],   z[k] = z(h) + F dx[k],   dx[k+1] = A dx[k] + w[k],   cov(w) = Q
 //              dx is stationary from the first sample on, or 0 without process noise. The nonlinear engine's motion is
 //              that of the design's linear model too: it is small against the fleet's spread
 //   error      of h and z, squared, averaged over the window, then over the engines
 //   coverage   share of the window's samples with |error| <= 1.96 sigma_total, as the monitor publishes it at that
-//              sample (monitor/estimation/error_propagation.h)
+//              sample, wider for an engine far outside the fleet (monitor/estimation/error_propagation.h,
+//              monitor/judge/fleet_watch.h); what the monitor would withhold counts as well
 // Engine i draws from the stream (seed, i). One number per engine: its standard error needs no model of how the samples
 // of a run hang together.
 
@@ -23,6 +24,7 @@ struct KalmanOptions {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   bool process_noise = true;
+  double wear = 1.0;
 };
 
 /// `done` is called with the number of runs that are done.

@@ -1,10 +1,12 @@
 // Clients of the HTTP endpoint that mean harm: the cycle does not notice, and the endpoint is well afterwards.
 
 #include <arpa/inet.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 
 #include "tests/integration/observability/watched_pair.h"
 
@@ -72,6 +74,35 @@ TEST_F(HostileClientTest, DoesNotDisturbTheCycle) {
   ASSERT_TRUE(listener_.await([&] { return get("/health").status == 200; }));
   EXPECT_LE(scrape().value("process_open_fds"), descriptors);  // nothing of the crowd is left
   EXPECT_GT(scrape().value("ehm_samples_processed_total"), 150.0);
+}
+
+/// User and system time of a process so far.
+double cpu_seconds(pid_t process) {
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  std::string field;
+  double ticks = 0.0;
+  for (int i = 1; stat >> field; ++i)  // fields 14 and 15 of proc(5); the name holds no blank
+    if (i == 14 || i == 15) ticks += std::stod(field);
+  return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+TEST_F(HostileClientTest, WhoFindsNoDescriptorLeftWaitsAndCostsNothing) {
+  const auto monitor = start_watched_monitor();
+  const auto simulator = start_simulator();
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 10; }));
+  const auto open_now = static_cast<rlim_t>(scrape().value("process_open_fds"));
+  const rlimit none{open_now - 1, 4096}, enough{1024, 4096};
+  ASSERT_EQ(prlimit(monitor->pid(), RLIMIT_NOFILE, &none, nullptr), 0);
+  {
+    Crowd crowd(port_);
+    for (int i = 0; i < 10; ++i) crowd.join("GET /health HTTP/1.1\r\nHost: a\r\n\r\n");
+    const std::size_t before = listener_.health.size();
+    const double used_s = cpu_seconds(monitor->pid());
+    ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > before + 133; }));  // two seconds
+    EXPECT_LT(cpu_seconds(monitor->pid()) - used_s, 1.0) << "a thread that spins takes two";
+  }
+  ASSERT_EQ(prlimit(monitor->pid(), RLIMIT_NOFILE, &enough, nullptr), 0);
+  EXPECT_TRUE(listener_.await([&] { return get("/health").status == 200; }));
 }
 
 TEST_F(HostileClientTest, DoesNotHoldUpTheStop) {

@@ -3,8 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <csignal>
+#include <thread>
 
+#include "deploy/service/watchdog.h"
 #include "tests/integration/observability/notify_socket.h"
 #include "tests/integration/observability/stopped_thread.h"
 #include "tests/integration/observability/watched_pair.h"
@@ -53,6 +56,23 @@ TEST_F(WatchdogTest, AHungCycleIsNotFed) {
   monitor->signal(SIGTERM);
   EXPECT_TRUE(systemd_.hears("STOPPING=1", seconds(10)));
   EXPECT_EQ(monitor->wait(seconds(10)), 0);
+}
+
+TEST_F(WatchdogTest, OneHungLoopOfTwoIsEnough) {
+  service::TurnCounter cycle, reporter;
+  std::atomic<bool> reporter_turns{true};
+  const std::jthread loops([&](const std::stop_token& stop) {
+    for (; !stop.stop_requested(); std::this_thread::sleep_for(milliseconds(5))) {
+      cycle.turned();
+      if (reporter_turns) reporter.turned();
+    }
+  });
+  const service::Watchdog fed({{&cycle, "cycle"}, {&reporter, "reporter"}});
+  expect_fed();
+  reporter_turns = false;
+  expect_not_fed();
+  reporter_turns = true;
+  expect_fed();
 }
 
 TEST_F(WatchdogTest, TheStatusLineFollowsTheEngines) {

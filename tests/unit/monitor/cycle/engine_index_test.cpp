@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <random>
+
 namespace {
 
 using ehm::monitor::EngineIndex;
@@ -27,6 +30,26 @@ TEST(EngineIndex, IdsThatCollideStayApart) {
   EXPECT_EQ(index.find(16), 1u);
   EXPECT_EQ(index.find(24), 2u);
   EXPECT_EQ(index.find(32), EngineIndex::none);
+}
+
+// Against std::map: ten thousand random steps in a table that is always nearly as full as it may be.
+TEST(EngineIndex, WhoIsRemovedLeavesEverybodyElseFindable) {
+  constexpr std::size_t capacity = 100;
+  EngineIndex index(capacity);
+  std::map<std::uint32_t, std::size_t> truth;
+  std::mt19937 random(5);
+  for (std::size_t step = 0; step < 10'000; ++step) {
+    const std::uint32_t id = 1 + random() % 160;
+    if (truth.contains(id)) {
+      index.remove(id);
+      truth.erase(id);
+    } else if (truth.size() < capacity) {
+      index.add(id, step);
+      truth[id] = step;
+    }
+    for (std::uint32_t i = 1; i <= 160; ++i)
+      ASSERT_EQ(index.find(i), truth.contains(i) ? truth[i] : EngineIndex::none) << step << ' ' << i;
+  }
 }
 
 TEST(EngineIndex, OfNothingFindsNothing) {

@@ -28,9 +28,11 @@ class FleetWatchTest : public testing::Test {
   void drift(test::Flight& flight, double seconds, double sensors_percent_a_second, double health_sigmas_a_second) {
     const double dt = design_->model.sample_time_s;
     const Eigen::VectorXd h = flight.health();
+    Eigen::VectorXd direction = design_->model.health_sigma;
+    for (Eigen::Index i = 1; i < direction.size(); i += 2) direction(i) *= -1.0;
     const int samples = static_cast<int>(seconds / dt);
     for (int k = 0; k < samples; ++k) {
-      flight.set_health(h + health_sigmas_a_second * dt * k * design_->model.health_sigma);
+      flight.set_health(h + health_sigmas_a_second * dt * k * direction);
       Sample s = flight.next();
       for (std::size_t i = 0; i < design_->model.sensors.size(); ++i)
         s.sensor[i] += 0.01 * sensors_percent_a_second * dt * k * design_->model.sensors[i].trim;
@@ -43,13 +45,15 @@ class FleetWatchTest : public testing::Test {
     if (!cycle_.result().estimates) return;
     ++published_;
     const Eigen::VectorXd error = cycle_.filter().health() - flight.health();
+    const Eigen::VectorXd of_the_fleet = cycle_.filter().health_sigma_total();
+    worst_of_fleets_ = std::max(worst_of_fleets_, error.cwiseAbs().cwiseQuotient(of_the_fleet).maxCoeff());
     worst_ =
         std::max(worst_, error.cwiseAbs().cwiseQuotient(Eigen::VectorXd(cycle_.error().health_sigma())).maxCoeff());
   }
 
   std::shared_ptr<const design::Design> design_;
   MonitorCycle cycle_;
-  double worst_ = 0.0;
+  double worst_ = 0.0, worst_of_fleets_ = 0.0;  ///< of the published sigma; of that of an engine of the fleet
   int published_ = 0;
 };
 
@@ -111,16 +115,17 @@ TEST_F(FleetWatchTest, WearFarBeyondTheFleetKeepsAnHonestSigmaUntilItIsWithheldA
   drift(flight, 20.0, 0.0, 0.0);
   worst_ = 0.0;
   const int before = published_;
-  drift(flight, 100.0, 0.0, 0.1);  // to ten sigmas of the prior, in all parameters alike
+  drift(flight, 100.0, 0.0, 0.1);  // to ten sigmas of the prior, in all parameters
   EXPECT_GT(published_, before);
-  EXPECT_LT(worst_, 5.0);  // sigma without the growth: see the test below
+  EXPECT_LT(worst_, 4.0);
+  EXPECT_GT(worst_of_fleets_, 8.0);  // what it would be without the growth
   EXPECT_TRUE(cycle_.result().flags & wire::estimate_flag::implausible);
   EXPECT_FALSE(cycle_.result().estimates);
   cycle_.clear_events();
   drift(flight, 100.0, 0.0, -0.1);
   EXPECT_TRUE(cycle_.result().estimates);
   EXPECT_FALSE(cycle_.result().flags & wire::estimate_flag::implausible);
-  EXPECT_EQ(count(cycle_.events(), wire::EventKind::unlikely_engine, false), 1);
+  EXPECT_GE(count(cycle_.events(), wire::EventKind::unlikely_engine, false), 1);
 }
 
 TEST_F(FleetWatchTest, SigmaGrowsWithTheExcessInItsPartsOnly) {
@@ -146,22 +151,25 @@ TEST_F(FleetWatchTest, SigmaGrowsWithTheExcessInItsPartsOnly) {
   EXPECT_EQ(error.health_sigma(), at_1);
 }
 
+// In sigmas of what the fleet makes of the sensor. The innovation gate of a cold filter lets nearly five of them pass; a
+// bias is one more unlikely thing beside the engine's own health.
 TEST_F(FleetWatchTest, ABiasFromTheFirstSampleStandsOut) {
-  // The largest bias that the sensor's own range lets through, on the sensor that the design knows best.
-  test::Flight flight(design_->model, Eigen::VectorXd::Zero(10), 75);
-  const Eigen::VectorXd& noise = design_->model.sensor_noise_sigma;
-  int named = 0;
-  for (std::size_t i = 0; i < 7; ++i) {
-    MonitorCycle cycle(design_, CycleOptions{});
-    for (int k = 0; k < 1500; ++k) {
-      Sample s = flight.next();
-      s.sensor[i] += 200.0 * noise(static_cast<Eigen::Index>(i));
-      cycle.process(s);
+  const Eigen::VectorXd spread =
+      Eigen::VectorXd(MonitorCycle(design_, CycleOptions{}).error().innovation_variance()).cwiseSqrt();
+  for (const double sigmas : {-6.0, -4.5, 4.5, 6.0}) {
+    for (std::size_t i = 0; i < 7; ++i) {
+      test::Flight flight(design_->model, Eigen::VectorXd::Zero(10), 75);
+      MonitorCycle cycle(design_, CycleOptions{});
+      for (int k = 0; k < 1500; ++k) {
+        Sample s = flight.next();
+        s.sensor[i] += sigmas * spread(static_cast<Eigen::Index>(i));
+        cycle.process(s);
+      }
+      const bool named = !cycle.result().sensors_used[i];
+      const bool doubted = (cycle.result().flags & wire::estimate_flag::implausible) != 0 || cycle.doubted();
+      EXPECT_TRUE(named || doubted) << i << ' ' << sigmas;
     }
-    const bool told = (cycle.result().flags & wire::estimate_flag::implausible) != 0 || cycle.doubted();
-    named += told;
   }
-  EXPECT_EQ(named, 7);
 }
 
 }  // namespace
