@@ -79,4 +79,28 @@ TEST(Allocation, NoneOnTheCyclePath) {
   EXPECT_GT(cycle.events().raised_total(), 4u);
 }
 
+// An engine that leaves gives its filter back on the cycle's thread (EngineSlot::vacate).
+TEST(Allocation, NoneWhenACycleBecomesAsItWas) {
+  monitor::CycleOptions options;
+  options.limits.push_back({test::made_up_design()->model.health.front().name, -0.1, 0.1, 0.0});
+  const monitor::MonitorCycle pristine(test::made_up_design(), options);
+  monitor::MonitorCycle used(pristine);
+  test::Flight flight(test::made_up_design()->model, Eigen::VectorXd::Zero(10), 3);
+  monitor::Sample sample;
+  for (int i = 0; i < 500; ++i) used.process(sample = flight.next());
+  const std::size_t before = allocations;
+  used = pristine;
+  EXPECT_EQ(allocations, before);
+  // and it is as new: the same samples give the same bits
+  monitor::MonitorCycle fresh(pristine);
+  test::Flight again(test::made_up_design()->model, Eigen::VectorXd::Zero(10), 4);
+  for (int i = 0; i < 200; ++i) {
+    sample = again.next();
+    used.process(sample);
+    fresh.process(sample);
+  }
+  EXPECT_EQ(used.filter().health(), fresh.filter().health());
+  EXPECT_EQ(used.counters().received, 200u);
+}
+
 }  // namespace
