@@ -138,8 +138,15 @@ void Reporter::report_left(const Report& report) {
 void Reporter::report_reply(const Report& report) {
   const CommandReply reply = reply_to(report.engine_id, report.outcome, source_id_);
   replies_.write(reply);
-  spdlog::log(reply.accepted() != 0 ? spdlog::level::info : spdlog::level::warn, "order {} for engine {}: {}",
-              reply.request(), reply.engine_id(), reply.message().c_str());
+  const bool accepted = reply.accepted() != 0;
+  const std::int64_t now_ns = monotonic_ns();
+  refusals_ += !accepted;
+  if (!accepted && now_ns - refusal_told_ns_ < 1'000'000'000) return;  // whoever floods us must not fill the log
+  if (!accepted) refusal_told_ns_ = now_ns;
+  spdlog::log(accepted ? spdlog::level::info : spdlog::level::warn, "order {} for engine {} is {}: {}{}",
+              reply.request(), reply.engine_id(), accepted ? "carried out" : "refused", reply.message().c_str(),
+              accepted || refusals_ == 1 ? "" : fmt::format(" ({} refused since the last of these lines)", refusals_));
+  if (!accepted) refusals_ = 0;
 }
 
 void Reporter::report_event(const Report& report) {

@@ -53,6 +53,8 @@ class Reporter {
   wire::Writer<MonitorStatus> status_;
   wire::Writer<EngineDescription> descriptions_;
   wire::Writer<CommandReply> replies_;
+  std::int64_t refusal_told_ns_ = 0;
+  std::uint64_t refusals_ = 0;    ///< orders refused since then
   std::set<std::uint32_t> left_;  ///< engines that have left and not come back
   std::atomic<bool> stop_{false};
   std::thread thread_;
