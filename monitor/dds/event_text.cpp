@@ -127,9 +127,9 @@ std::string unlikely_engine(const Event& e, const estimation::LinearModel& model
   for (std::size_t i = 0; i < model.sensors.size(); ++i)
     if (e.detail >> i & 1u) names += ' ' + model.sensors[i].name;
   return fmt::format(
-      "the sensors together stand where no engine of the fleet does, {:.1f} times farther out than one in a "
-      "thousand:{}",
-      e.value, names);
+      "the sensors together stand where no engine of the fleet does, at {:.1f} of its spread where {:.1f} is trusted; "
+      "beside the others these stand apart:{}",
+      e.value, e.threshold, names.empty() ? " none by itself" : names);
 }
 
 std::string restart_reason(const Event& e) {
@@ -236,11 +236,14 @@ std::string event_text(const Event& e, const estimation::LinearModel& model) {
                                     c->name)
                       : "the abrupt change is settled";
     case wire::EventKind::slow_bias:
-      if (e.raised) return fmt::format("sensor {} drifts, by {:+.4g} {}", c->name, e.value, c->unit);
+      if (e.raised)
+        return fmt::format(
+            "sensor {} reads {:+.4g} {} off, which wear does not explain: a drift, or a bias from the start", c->name,
+            e.value, c->unit);
       if (e.detail & wire::reject_reason::bias)
         return fmt::format("sensor {} has come back from a drift, by {:+.4g} {}; the estimates follow", c->name,
                            e.value, c->unit);
-      return fmt::format("sensor {} has stopped drifting", c->name);
+      return fmt::format("sensor {} stands where wear explains it again", c->name);
     case wire::EventKind::condition_fault:
       return condition_fault(e, model);
     case wire::EventKind::slow_sensor:

@@ -17,14 +17,15 @@ namespace ehm::monitor {
 namespace {
 
 constexpr double common_tail = 0.05, ordinary_tail = 1e-3;
-constexpr double stands_apart = 3.0;
+constexpr double stands_apart = 4.0;
 constexpr double clear_share = 0.8;
 
 }  // namespace
 
 FleetTable fleet_table(const design::Design& design, const design::SubsetDesign& subset,
                        const estimation::ErrorModel& error) {
-  const Eigen::MatrixXd H = estimation::steady_gain(estimation::scaled(design.model, design.scaling)).H;
+  const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
+  const Eigen::MatrixXd H = estimation::steady_gain(model).H;
   const Eigen::MatrixXd closed_loop = error.closed_loop;
   const Eigen::Index size = closed_loop.rows(), t = subset.V.rows();
   const Eigen::MatrixXd mean = (Eigen::MatrixXd::Identity(size, size) - closed_loop)
@@ -37,11 +38,14 @@ FleetTable fleet_table(const design::Design& design, const design::SubsetDesign&
   if (factor.info() != Eigen::Success)
     throw std::invalid_argument("the covariance of the design's tuners over the fleet is not positive definite");
   const Eigen::MatrixXd HW = H * subset.W;
-  const Eigen::VectorXd spread = (HW * covariance * HW.transpose()).diagonal().cwiseSqrt();
+  const double samples = std::max(1.0, subset.slowest_time_constant_s / model.sample_time_s);
+  const Eigen::MatrixXd of_sensors =
+      HW * covariance * HW.transpose() + Eigen::MatrixXd(model.sensor_noise_sigma.cwiseAbs2().asDiagonal()) / samples;
+  const Eigen::MatrixXd inverse = of_sensors.llt().solve(Eigen::MatrixXd::Identity(H.rows(), H.rows()));
 
   FleetTable table;
   table.information = factor.solve(Eigen::MatrixXd::Identity(t, t));
-  table.stance = spread.cwiseMax(1e-12).cwiseInverse().asDiagonal() * HW;
+  table.stance = inverse.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() * inverse * HW;
   table.tuners = static_cast<double>(t);
   table.common = chi_square_quantile(table.tuners, normal_quantile_above(common_tail));
   table.ordinary = chi_square_quantile(table.tuners, normal_quantile_above(ordinary_tail));

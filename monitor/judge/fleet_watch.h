@@ -9,12 +9,14 @@
 //                                          is that has such an engine; 1 up to c95, the distance^2 beyond which one
 //                                          engine in twenty lies, linear from there to c999, one in a thousand
 //   z_i = |h_i - trim_i| / sigma_i         estimate of health parameter i in sigmas of the prior
-//   y_i = |(H W q)_i| / root of (H W Cq W^T H^T)_ii                  where the estimate puts sensor i, likewise
+//   Cy  = H W Cq W^T H^T + R / samples     of the steady sensors that the filter believes in, its noise so that it is
+//                                          definite; samples: of the slowest time constant
+//   y_i = |Cy^-1 H W q|_i / root of (Cy^-1)_ii                       how far sensor i stands beside the others
 //
 // The errors of prior and nonlinearity were measured over the fleet; beyond it the first grows as d, the second as d^2,
 // and e tells by how much (ErrorPropagation::widen; tuner_design evaluate --wear measures it). Raised after persistence_s in a row, ended below 0.8 of it:
 //   implausible      z_i above warn_sigma
-//   unlikely_engine  d above the chi-square's root with the tail of warn_sigma; it names the sensors with y_i above 3
+//   unlikely_engine  d above the chi-square's root with the tail of warn_sigma; it names the sensors with y_i above 4
 //   withheld         either farther out by withhold_sigma / warn_sigma: no estimate is published
 // A bias of one sensor stands out so, too, from the first sample on; slow_bias.h tells which one it is. Scaled units
 // but for health. Real-time safe: yes, after construction.
