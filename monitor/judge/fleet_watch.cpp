@@ -16,7 +16,7 @@ namespace ehm::monitor {
 
 namespace {
 
-constexpr double common_tail = 0.05, ordinary_tail = 1e-3;
+constexpr double common_tail = 0.003, ordinary_tail = 1e-3;
 constexpr double stands_apart = 4.0;
 constexpr double clear_share = 0.8;
 

@@ -6,15 +6,16 @@
 //                                          nonlinearity and the noise; M and S are the limits of error_propagation.h
 //   d^2 = q^T Cq^-1 q                      chi-square with t degrees of freedom for an engine of the fleet
 //   e   = d^2 / t                          excess: the most likely square of how much wider than the fleet a population
-//                                          is that has such an engine; 1 up to c95, the distance^2 beyond which one
-//                                          engine in twenty lies, linear from there to c999, one in a thousand
+//                                          is that has such an engine; 1 up to c997, the distance^2 beyond which three
+//                                          engines in a thousand lie, linear from there to c999
 //   z_i = |h_i - trim_i| / sigma_i         estimate of health parameter i in sigmas of the prior
 //   Cy  = H W Cq W^T H^T + R / samples     of the steady sensors that the filter believes in, its noise so that it is
 //                                          definite; samples: of the slowest time constant
 //   y_i = |Cy^-1 H W q|_i / root of (Cy^-1)_ii                       how far sensor i stands beside the others
 //
 // The errors of prior and nonlinearity were measured over the fleet; beyond it the first grows as d, the second as d^2,
-// and e tells by how much (ErrorPropagation::widen; tuner_design evaluate --wear measures it). Raised after persistence_s in a row, ended below 0.8 of it:
+// and e tells by how much (ErrorPropagation::widen; tuner_design evaluate --wear measures it). Raised after
+// persistence_s in a row, ended below 0.8 of it:
 //   implausible      z_i above warn_sigma
 //   unlikely_engine  d above the chi-square's root with the tail of warn_sigma; it names the sensors with y_i above 4
 //   withheld         either farther out by withhold_sigma / warn_sigma: no estimate is published
@@ -39,7 +40,7 @@ namespace ehm::monitor {
 struct FleetTable {
   estimation::BoundedMatrix<estimation::max_tuners, estimation::max_tuners> information;  ///< Cq^-1
   estimation::BoundedMatrix<estimation::max_sensors, estimation::max_tuners> stance;      ///< y = |stance q|
-  double tuners = 0.0, common = 0.0, ordinary = 0.0;                                      ///< t, c95, c999
+  double tuners = 0.0, common = 0.0, ordinary = 0.0;                                      ///< t, c997, c999
 
   /// d^2. Real-time safe: yes, both.
   double distance2(const estimation::TunerVector& q) const noexcept { return q.dot(information.lazyProduct(q)); }

@@ -108,6 +108,21 @@ TEST(NonlinearTruth, FleetDesignIsAsGoodAndAsHonestAsItSays) {
   }
 }
 
+TEST(NonlinearTruth, FarOutsideTheFleetSigmaGrows) {
+  // Drawn w times wider, engines lie within +-1.96 of the fleet's sigma with the normal probability of +-1.96/w: 0.67
+  // for 2, 0.49 for 3. Part of those drawn is not far out, and keeps the fleet's sigma.
+  EvaluateOptions options;
+  options.linear = false, options.nonlinear = true, options.map = false;
+  options.runs = 1000, options.seed = 11;
+  options.seconds = 15.0, options.window = 0.3;
+  for (const auto& [wear, least] : {std::pair(2.0, 0.77), std::pair(3.0, 0.84)}) {
+    options.wear = wear;
+    const Experiment flown = evaluate(cruise_design(LineariseMethod::fleet), options).experiments.front();
+    EXPECT_GE(flown.coverage.health.minCoeff(), least) << wear;
+    EXPECT_GE(flown.coverage.auxiliary.minCoeff(), least) << wear;
+  }
+}
+
 TEST(NonlinearTruth, FleetDesignStaysHonestWhereTheFuelFlowIsHeld) {
   // Its linearisation error was measured at held fan speed; averaged slopes carry over.
   EvaluateOptions options;
