@@ -16,7 +16,7 @@ class Service:
 
     def start(self):
         with open(self.log_path, "ab") as log:
-            self.process = subprocess.Popen(self.arguments, stderr=log, **{"stdout": log, **self.popen})
+            self.process = subprocess.Popen(self.arguments, **{"stdout": log, "stderr": log, **self.popen})
         self.lives += 1
         self.meant_to_run = True
 
