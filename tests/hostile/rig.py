@@ -13,9 +13,8 @@ SOAK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "soak")
 sys.path.insert(0, SOAK)
 from services import Service  # noqa: E402
 
-SAMPLE_TIME_S = 0.015
 ADDRESS = ("127.0.0.1", 9477)
-LEAST_SAMPLES = 200  # of a flight that is judged
+SAMPLES_AFTER = 100  # estimates that show that the flight goes on
 STOP_LIMIT_S = 2.5  # the 2 s of resilience.md, and the time to see it
 
 
@@ -126,7 +125,6 @@ class Flight:
         self.monitor = Service("monitor", [bench.monitor, "--config", self.toml, *flags], self.log_path("monitor"), **popen)
         self.simulator = Service("engine_sim", [bench.engine_sim, "--config", os.path.join(SOAK, "engine.toml"),
                                                 "--run-wait-for-monitors", "1"], self.log_path("engine_sim"))
-        self.begin = None
 
     def log_path(self, name):
         return os.path.join(self.folder, name + ".log")
@@ -160,21 +158,19 @@ class Flight:
         require(self.monitor.process.poll() is None, f"the monitor ended: {self.log()[-400:]}")
         self.rss_mb = self.monitor.usage()["rss_mb"]
         self.lost, self.processed = metric("ehm_samples_lost_total"), metric("ehm_samples_processed_total")
-        self.begin = time.monotonic()
 
     def unharmed(self, lost=0, rss_growth_mb=20.0):
         """What was held since the estimates began, as text."""
         for service in (self.monitor, self.simulator):
             code = service.process.poll()
             require(code is None, f"{service.name} ended with {code}: {self.log(service.name)[-400:]}")
-        until(lambda: metric("ehm_samples_processed_total") > self.processed + LEAST_SAMPLES and is_ready(),
+        after = metric("ehm_samples_processed_total")
+        until(lambda: metric("ehm_samples_processed_total") > after + SAMPLES_AFTER and is_ready(),
               "estimates after the attack")
-        seconds = time.monotonic() - self.begin
         now_lost = metric("ehm_samples_lost_total") - self.lost
         flown = metric("ehm_samples_processed_total") - self.processed
         rss_mb = self.monitor.usage()["rss_mb"]
         require(now_lost <= lost, f"{now_lost:.0f} samples lost")
-        require(flown + now_lost > 0.8 * seconds / SAMPLE_TIME_S, f"{flown:.0f} estimates in {seconds:.1f} s")
         require(rss_mb - self.rss_mb < rss_growth_mb, f"memory grew from {self.rss_mb:.1f} to {rss_mb:.1f} MB")
         return f"{flown:.0f} estimates, {now_lost:.0f} samples lost, memory {self.rss_mb:.1f} to {rss_mb:.1f} MB"
 
