@@ -166,7 +166,7 @@ class Flight:
             require(code is None, f"{service.name} ended with {code}: {self.log(service.name)[-400:]}")
         after = metric("ehm_samples_processed_total")
         until(lambda: metric("ehm_samples_processed_total") > after + SAMPLES_AFTER and is_ready(),
-              "estimates after the attack")
+              "estimates after the attack", 40.0)
         now_lost = metric("ehm_samples_lost_total") - self.lost
         flown = metric("ehm_samples_processed_total") - self.processed
         rss_mb = self.monitor.usage()["rss_mb"]
