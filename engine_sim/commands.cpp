@@ -4,6 +4,7 @@
 #include <ostream>
 #include <string>
 
+#include "deploy/config/usage_answer.h"
 #include "deploy/files/file_error.h"
 #include "deploy/service/exit_code.h"
 #include "engine_sim/deck/deck_command.h"
@@ -20,7 +21,7 @@ std::optional<int> run_command(int argc, const char* const* argv, std::ostream& 
   const std::string command = argc > 1 ? argv[1] : "-";
   if (command.starts_with('-')) return std::nullopt;
   if (command != "deck" && command != "maps") {
-    err << "engine_sim: unknown command '" << command << "'; allowed are deck, maps, or the service's options\n";
+    err << config::unknown_command("engine_sim", command, {"deck", "maps"}, "the service's options");
     return service::exit_usage;
   }
   Command run;
@@ -31,7 +32,7 @@ std::optional<int> run_command(int argc, const char* const* argv, std::ostream& 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, err) == 0 ? service::exit_ok : service::exit_usage;
+    return config::usage_answer(app, error, out, err);
   }
   try {
     run(out, err);

@@ -3,8 +3,8 @@
 # try, and "N passed, N failed".
 # Usage: tests/run.sh           the default tier: all that guards every change
 #        tests/run.sh --full    besides: the sanitizer builds, the demo, the fuzzers, the packages in a Debian of their own,
-#                               the fleet in network namespaces, the control's 1000 demand sequences; one line for each
-#                               of them at the end, with its time; hours on two cores
+#                               the fleet in network namespaces, the pair under attack (hostile.sh), the control's 1000
+#                               demand sequences; one line for each of them at the end, with its time; hours on two cores
 # EHM_BUILD_DIR names another build folder (default build; the sanitizers' get a suffix). EHM_FUZZ_SECONDS is the time of
 # each fuzzer under --full (default 120).
 set -euo pipefail
@@ -79,6 +79,7 @@ echo "second tries: $(grep -c . <<< "$retried" || true)" $retried
 if [ "$full" = yes ]; then
   unset EHM_CONTROL_SEQUENCES
   stage namespaces tests/fleet/namespaces.sh "$build" "$build/tests/integration/design.json"
+  stage hostile tests/hostile.sh "$build"
   stage packages tests/packages/packages.sh "$build"
   stage demo deploy/demo.sh --seconds 30
   stage tsan sanitized tsan thread "integration_test monitor_checks_test engine_sim monitor ehm_watch tuner_design" \

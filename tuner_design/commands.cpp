@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "deploy/config/man_page.h"
+#include "deploy/config/usage_answer.h"
 #include "monitor/design/file_error.h"
 #include "tuner_design/baselines/baselines_command.h"
 #include "tuner_design/check_report.h"
@@ -76,15 +77,15 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   const std::string command = argc > 1 ? argv[1] : "";
   const auto known = app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == command; });
   if (!command.empty() && command.front() != '-' && known.empty()) {
-    std::string allowed;
-    for (const CLI::App* sub : app.get_subcommands({})) allowed += (allowed.empty() ? "" : ", ") + sub->get_name();
-    err << "tuner_design: unknown command '" << command << "'; allowed are " << allowed << '\n';
+    std::vector<std::string> commands;
+    for (const CLI::App* sub : app.get_subcommands({})) commands.push_back(sub->get_name());
+    err << config::unknown_command("tuner_design", command, commands);
     return 2;
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, err) == 0 ? 0 : 2;
+    return config::usage_answer(app, error, out, err);
   }
   try {
     run({out, err});

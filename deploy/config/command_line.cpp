@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "deploy/config/man_page.h"
+#include "deploy/config/usage_answer.h"
 #include "deploy/service/exit_code.h"
 
 namespace ehm::config {
@@ -23,7 +24,7 @@ std::optional<int> parse_command_line(int argc, char** argv, const std::string& 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+    return usage_answer(app, e);
   }
   if (!print_config) return std::nullopt;
   std::cout << schema.reference();

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "deploy/config/nearest_name.h"
 #include "deploy/config/table_reader.h"
 
 namespace ehm::config {
@@ -124,7 +125,7 @@ void Schema::refuse_misspelt_environment() const {
     const std::string text = *variable;
     const std::string name = text.substr(0, text.find('='));
     if (!name.starts_with("EHM_") || std::find(known.begin(), known.end(), name) != known.end()) continue;
-    if (const std::string meant = closest(name, known); !meant.empty())
+    if (const std::string meant = nearest_name(name, known); !meant.empty())
       throw ConfigError("environment variable " + name + ": unknown; did you mean '" + meant + "'?");
   }
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <numeric>
 #include <sstream>
 
+#include "deploy/config/nearest_name.h"
 #include "deploy/config/schema.h"
 #include "deploy/files/file_error.h"
 #include "deploy/files/input_file.h"
@@ -34,30 +34,8 @@ std::string number_text(double value) {
   return error == std::errc() ? std::string(buffer, end) : std::string("?");
 }
 
-std::string closest(const std::string& key, const std::vector<std::string>& known) {
-  const auto distance = [](const std::string& a, const std::string& b) {  // Levenshtein
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-      std::size_t diagonal = row[0];
-      row[0] = i;
-      for (std::size_t j = 1; j <= b.size(); ++j) {
-        const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-        diagonal = row[j];
-        row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-      }
-    }
-    return row.back();
-  };
-  std::string best;
-  std::size_t best_distance = 4;  // farther is no typing error
-  for (const auto& candidate : known)
-    if (const auto d = distance(key, candidate); d < best_distance) best = candidate, best_distance = d;
-  return best;
-}
-
 std::string suggestion(const std::string& key, const std::vector<std::string>& known) {
-  const std::string best = closest(key, known);
+  const std::string best = nearest_name(key, known);
   return best.empty() ? "; the reference lists the known ones (--print-config)" : "; did you mean '" + best + "'?";
 }
 

@@ -15,9 +15,7 @@ toml::table parse_toml_file(const std::string& file);
 std::string where(const std::string& file, const toml::node& node);
 /// Shortest text that reads back as the same number.
 std::string number_text(double value);
-/// The nearest known name, or an empty text when none is near.
-std::string closest(const std::string& key, const std::vector<std::string>& known);
-/// "; did you mean 'x'?" for the nearest known key, or an empty text when none is near.
+/// "; did you mean 'x'?" for the nearest known key, or where the known ones are listed.
 std::string suggestion(const std::string& key, const std::vector<std::string>& known);
 
 class TableReader {

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "deploy/config/man_page.h"
+#include "deploy/config/usage_answer.h"
 #include "deploy/demo/watch_csv.h"
 #include "deploy/demo/watch_output.h"
 #include "deploy/service/exit_code.h"
@@ -164,7 +165,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+    return config::usage_answer(app, e);
   }
 
   try {

@@ -31,7 +31,8 @@ void hear_middleware(std::function<void(const MiddlewareMessage&)> hear, Middlew
 }
 
 bool is_of_no_concern(const MiddlewareMessage& message) {
-  return message.text.find("Could not set the next deadline") != std::string::npos;
+  return message.error && message.category == "DATA_WRITER" &&
+         message.text == "Could not set the next deadline in the history";
 }
 
 struct MiddlewareErrors::Collected {

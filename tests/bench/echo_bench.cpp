@@ -14,6 +14,7 @@
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <thread>
 
+#include "deploy/config/usage_answer.h"
 #include "engine_sim/pacer.h"
 #include "idl/dds/endpoint.h"
 #include "tests/bench/child_process.h"
@@ -160,7 +161,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return ehm::config::usage_answer(app, e);
   }
   try {
     return ehm::bench::run(options);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <vector>
 
+#include "deploy/config/usage_answer.h"
 #include "tests/bench/fleet_run.h"
 
 namespace {
@@ -78,7 +79,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return ehm::config::usage_answer(app, e);
   }
   try {
     fmt::print("{:>7}{:>10}{:>11}{:>7}{:>7}{:>10}{:>10}{:>10}{:>9}{:>13}{:>10}\n", "engines", "sent", "estimates",

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "deploy/config/usage_answer.h"
 #include "deploy/service/stop_signal.h"
 #include "engine_sim/pacer.h"
 #include "idl/dds/endpoint.h"
@@ -79,7 +80,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return ehm::config::usage_answer(app, e);
   }
   try {
     return run(options);

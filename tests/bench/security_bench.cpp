@@ -21,6 +21,7 @@
 #include <thread>
 #include <vector>
 
+#include "deploy/config/usage_answer.h"
 #include "idl/dds/endpoint.h"
 #include "idl/wire_values.h"
 
@@ -158,7 +159,11 @@ int main(int argc, char** argv) {
   app.add_option("--pings", options.pings, "a block")->check(CLI::Range(1, 100000))->capture_default_str();
   app.add_option("--pause-us", options.pause_us, "between pings")->check(CLI::Range(0, 100000))->capture_default_str();
   app.add_option("--domain", options.domain, "and the two after it")->check(CLI::Range(0, 228))->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return ehm::config::usage_answer(app, e);
+  }
 
   std::string files = std::filesystem::temp_directory_path() / "ehm-security-bench.XXXXXX";
   if (!mkdtemp(files.data())) {

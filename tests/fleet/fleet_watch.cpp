@@ -8,6 +8,7 @@
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <map>
 
+#include "deploy/config/usage_answer.h"
 #include "idl/dds/endpoint.h"
 
 namespace {
@@ -70,7 +71,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return ehm::config::usage_answer(app, e);
   }
   try {
     for (const auto& [source, heard] : listen(options))

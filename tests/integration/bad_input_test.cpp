@@ -128,7 +128,7 @@ TEST_F(BadFilesTest, TheMonitorNamesWhatIsWrong) {
                   file("limit.toml", "[[limit]]\nquantity = \"T41\"\nmax = 1.0\n")},
                  "limit.quantity is 'T41', which the design does not estimate");
   expect_refused({monitor_program()}, "no design: set monitor.design");
-  expect_refused({monitor_program(), "--unknown"}, "--unknown");
+  expect_refused({monitor_program(), "--unknown"}, "monitor: unknown option --unknown. See monitor --help");
 }
 
 TEST_F(BadFilesTest, TheSimulatorNamesWhatIsWrong) {
@@ -136,6 +136,21 @@ TEST_F(BadFilesTest, TheSimulatorNamesWhatIsWrong) {
   expect_refused({simulator_program(), "--flight-mach", "2"},
                  "flag --flight-mach: 'flight.mach' is 2, allowed is a number from 0 to 0.95");
   expect_refused({simulator_program(), "--config", file("s.toml", "[run\n")}, "not valid TOML");
+}
+
+TEST_F(BadFilesTest, AMisspeltOptionIsNamedByEachProgramWithWhatWasMeant) {
+  const std::string monitor = monitor_program(), simulator = simulator_program();
+  expect_refused({monitor, "--monitor-desing", "d.json"},
+                 "monitor: unknown option --monitor-desing; did you mean --monitor-design? See monitor --help\n");
+  expect_refused({simulator, "--dommain", "3"},
+                 "engine_sim: unknown option --dommain; did you mean --dds-domain? See engine_sim --help\n");
+  expect_refused({simulator, "deck", "--casse", "c.csv"},
+                 "engine_sim deck: unknown option --casse; did you mean --cases? See engine_sim deck --help\n");
+  expect_refused({EHM_TUNER_DESIGN, "chekc", "d.json"}, "tuner_design: unknown command 'chekc'; did you mean check?");
+  expect_refused({EHM_WATCH, "--dommain=3"},
+                 "ehm_watch: unknown option --dommain; did you mean --domain? See ehm_watch --help\n");
+  expect_refused({EHM_WATCH, "--domain", "999"}, "ehm_watch: --domain: ");
+  expect_refused({EHM_HOSTILE, "--kind", "bits"}, "ehm_hostile: unknown option --kind; did you mean --kinds?");
 }
 
 TEST_F(BadFilesTest, AMissingProfilesFileStopsWithItsName) {

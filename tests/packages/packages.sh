@@ -52,6 +52,10 @@ version=$(dpkg-deb -f "${debs[0]}" Version)
 next=${version%.*}.$((${version##*.} + 1))
 lintian --no-cfg --allow-root --fail-on error "${debs[@]}" >"$work/lintian" ||
   { cat "$work/lintian"; fail "lintian found errors"; }
+for example in subscriber_c subscriber_cpp sensor_source_c; do
+  dpkg-deb -c "${debs[3]}" | grep -q " ./usr/share/doc/ehm-dev/examples/$example/CMakeLists.txt$" ||
+    fail "ehm-dev has no example $example"
+done
 passed "lintian: no error, $(grep -c '^W:' "$work/lintian" || true) warnings in ${#debs[@]} packages"
 mkdir -p "$work/next"
 for deb in "${debs[@]:0:3}"; do
@@ -72,6 +76,7 @@ cp "${debs[@]:0:3}" "$root/packages/"
 cp -r "$work/next" "$here/in_chroot.sh" "$here/in_booted.sh" "$root/packages/"
 apt update
 for deb in "${debs[@]:0:3}"; do apt satisfy "$(dpkg-deb -f "$deb" Depends)"; done
+apt install --no-install-recommends openssl  # which make_security.sh needs: recommended by ehm-tools
 paths >"$work/before"
 
 install_all() { apt install --no-install-recommends /packages/ehm-{monitor,engine-sim,tools}_"${version}_$architecture.deb"; }

@@ -4,6 +4,8 @@ SENSOR_FAULT, HEALTH_SHIFT, INPUT_LOST, AMBIGUOUS = 1, 2, 5, 11
 HICCUP_S = 0.25  # a shared machine pauses simulator or monitor for so long by itself; more than that is an event
 OUTCOMES = ("processed", "withheld", "duplicated", "reordered", "foreign", "malformed")
 DOWN = ("kill ",)
+AWAY = ("kill monitor", "pause monitor")
+NO_ANSWER_MS = 1e6  # longer than any patience
 FEW = 5  # readings at either end of a life
 
 
@@ -20,6 +22,7 @@ class Record:
         self.usage = {}  # service -> [(wall, t, life, usage)]
         self.disturbances, self.unexplained, self.unexpected_exits = [], [], []
         self.doubles, self.restarts_answered, self.hiccups = 0, [], 0
+        self.health = []  # (kind of the disturbance or None, ms until /health was answered)
 
     def disturbance_at(self, t):
         for d in reversed(self.disturbances):
@@ -125,9 +128,14 @@ def components_called_sensors(record):
 
 
 def silent(record):
-    """Disturbances over which the event that they must raise, or clear, did not come."""
-    return sum(1 for d in record.disturbances if "must_raise" in d.about and d.end_t is not None and
-               d.about["must_raise"] not in [(e["kind"], e["raised"]) for e in d.events])
+    """Events that a disturbance must raise, or clear, and that did not come."""
+    return sum(1 for d in record.disturbances if d.end_t is not None for event in d.about.get("must_raise", ())
+               if event not in [(e["kind"], e["raised"]) for e in d.events])
+
+
+def health_waits_ms(record):
+    """Of /health while the monitor was there to answer; one that stayed away has NO_ANSWER_MS."""
+    return [wait_ms for during, wait_ms in record.health if not (during or "").startswith(AWAY)]
 
 
 def within_3(record):
@@ -154,6 +162,7 @@ def measure(record, warm_up_s):
         "rss_growth_mb": growth(record, "rss_mb", warm_up_s, memory_growth),
         "fd_growth": growth(record, "fds", warm_up_s, descriptor_growth),
         "latency_p999_ms": max((1e-3 * s["latency_p999_us"] for s in unpaused(record)), default=0.0),
+        "health_answer_p99_ms": percentile(health_waits_ms(record), 0.99),
         "sensor_fault_delay_p95_s": percentile(delays, 0.95),
         "sensor_faults_found": found / cases if cases else 1.0,
         "sensor_faults_named_right": right / len(delays) if delays else 1.0,

@@ -80,13 +80,31 @@ class JudgeTest(unittest.TestCase):
         self.assertEqual(len(self.record.unexplained), 1)
 
     def test_a_reload_of_which_no_event_tells(self):
-        self.record.disturbances = [fault(100.0, kind="reload", must_find=False, must_raise=(14, False))]
+        self.record.disturbances = [fault(100.0, kind="reload", must_find=False, must_raise=[(14, False)])]
         self.record.disturbances[0].allowed = {14}
         self.assertEqual(self.measured()["missing_events"], 1)
         self.record.hear_event(event(101.0, 14, raised=True))   # refused
         self.assertEqual(self.measured()["missing_events"], 1)
         self.record.hear_event(event(102.0, 14, raised=False))
         self.assertEqual(self.measured()["missing_events"], 0)
+
+    def test_a_full_disk_must_be_told_when_it_comes_and_when_it_is_over(self):
+        self.record.disturbances = [fault(100.0, kind="full disk", must_find=False, must_raise=[(13, True), (13, False)])]
+        self.record.disturbances[0].allowed = {13}
+        self.assertEqual(self.measured()["missing_events"], 2)
+        self.record.hear_event(event(101.0, 13, raised=True))
+        self.assertEqual(self.measured()["missing_events"], 1)
+        self.record.hear_event(event(109.0, 13, raised=False))
+        self.assertEqual(self.measured()["missing_events"], 0)
+        self.assertEqual(self.measured()["unexplained_events"], 0)
+
+    def test_health_that_is_not_answered_counts_unless_the_monitor_is_away(self):
+        self.record.health = [(None, 3.0)] * 98 + [("kill monitor", judge.NO_ANSWER_MS), ("pause monitor", judge.NO_ANSWER_MS)]
+        self.assertEqual(self.measured()["health_answer_p99_ms"], 3.0)
+        self.record.health += [("HTTP flood", 250.0), ("hung log reader", 7.0)]
+        self.assertEqual(self.measured()["health_answer_p99_ms"], 250.0)
+        self.record.health += [("HTTP flood", judge.NO_ANSWER_MS)] * 2
+        self.assertEqual(self.measured()["health_answer_p99_ms"], judge.NO_ANSWER_MS)
 
     def test_detection_wants_the_right_sensor_in_time(self):
         self.record.disturbances = [fault(100.0), fault(200.0), fault(300.0), fault(400.0)]

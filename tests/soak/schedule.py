@@ -105,15 +105,15 @@ def reload(rig, rng, t, wall):
     return Disturbance(
         "reload", t, wall,
         [("wall", 0.0, lambda: (rig.write_config(log_level=level), rig.monitor.signal(signal.SIGHUP)))],
-        3.0, 5.0, {CONFIGURATION}, must_raise=(CONFIGURATION, False))
+        3.0, 5.0, {CONFIGURATION}, must_raise=[(CONFIGURATION, False)])
 
 
-def bad_reload(rig, _rng, t, wall):
+def bad_reload(rig, _rng, t, wall, kind, design):
     return Disturbance(
-        "invalid reload", t, wall,
-        [("wall", 0.0, lambda: (rig.write_config(design="nowhere.json"), rig.monitor.signal(signal.SIGHUP))),
+        kind, t, wall,
+        [("wall", 0.0, lambda: (rig.write_config(design=design), rig.monitor.signal(signal.SIGHUP))),
          ("wall", 3.0, rig.write_config)],
-        3.0, 5.0, {CONFIGURATION}, must_raise=(CONFIGURATION, True))
+        3.0, 5.0, {CONFIGURATION}, must_raise=[(CONFIGURATION, True)])
 
 
 def hostile(rig, rng, t, wall):
@@ -122,6 +122,33 @@ def hostile(rig, rng, t, wall):
         "hostile peer", t, wall,
         [("wall", 0.0, rig.hostile.start), ("wall", lasts_s, rig.hostile.stop)],
         0.0, 15.0, {SECOND_SOURCE, RESTART, QOS, INPUT_LOST, CONFIGURATION})
+
+
+def hung_log_reader(rig, rng, t, wall):
+    """What happens meanwhile must be told all the same, by events."""
+    lasts_s = rng.uniform(4.0, 10.0)
+    return Disturbance(
+        "hung log reader", t, wall,
+        [("wall", 0.0, lambda: rig.log_reader.signal(signal.SIGSTOP)),
+         ("wall", 1.0, lambda: rig.tell("reset")),
+         ("wall", lasts_s, lambda: rig.log_reader.signal(signal.SIGCONT))],
+        0.0, 15.0, {RESTART}, must_raise=[(RESTART, True)])
+
+
+def full_disk(rig, rng, t, wall):
+    lasts_s = rng.uniform(5.0, 10.0)  # two checkpoints at least
+    return Disturbance(
+        "full disk", t, wall,
+        [("wall", 0.0, lambda: rig.fill_disk(True)), ("wall", lasts_s, lambda: rig.fill_disk(False))],
+        0.0, 10.0, {CHECKPOINT}, must_raise=[(CHECKPOINT, True), (CHECKPOINT, False)])
+
+
+def http_flood(rig, rng, t, wall):
+    lasts_s = rng.uniform(3.0, 8.0)
+    return Disturbance(
+        "HTTP flood", t, wall,
+        [("wall", 0.0, rig.http_flood.start), ("wall", lasts_s, rig.http_flood.stop)],
+        0.0, 5.0, set())
 
 
 def reset(rig, _rng, t, wall):
@@ -160,7 +187,11 @@ class Schedule:
             "kill simulator": lambda r, g, t, w: kill_and_restart(r.simulator, g, t, w),
             "pause simulator": lambda r, g, t, w: pause(r.simulator, g, t, w),
             "pause monitor": lambda r, g, t, w: pause(r.monitor, g, t, w),
-            "network": network, "reload": reload, "bad reload": bad_reload, "hostile": hostile, "reset": reset,
+            "network": network, "reload": reload,
+            "bad reload": lambda *a: bad_reload(*a, "invalid reload", "nowhere.json"),
+            "pipe reload": lambda *a: bad_reload(*a, "reload of a pipe", self.rig.pipe),
+            "hostile": hostile, "reset": reset, "hung log reader": hung_log_reader, "full disk": full_disk,
+            "HTTP flood": http_flood,
         }
         if accelerated:  # the simulator must hear the answers, so nothing can stand between it and the monitor
             del makers["network"]

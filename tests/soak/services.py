@@ -1,9 +1,13 @@
 """The processes of a soak: started, killed, paused, watched."""
 
+import fcntl
 import os
+import resource
 import shutil
 import signal
+import socket
 import subprocess
+import sys
 import time
 
 
@@ -16,7 +20,7 @@ class Service:
 
     def start(self):
         with open(self.log_path, "ab") as log:
-            self.process = subprocess.Popen(self.arguments, stderr=log, **{"stdout": log, **self.popen})
+            self.process = subprocess.Popen(self.arguments, **{"stdout": log, "stderr": log, **self.popen})
         self.lives += 1
         self.meant_to_run = True
 
@@ -68,9 +72,18 @@ source_id = 1  # the simulator: the hostile peer must not take its place while i
 [checkpoint]
 directory = "{checkpoints}"
 period_s = 2.0
+[metrics]
+listen = "127.0.0.1:{port}"
 [log]
 level = "{log_level}"
 """
+LOG_PIPE_BYTES = 4096  # the least that a pipe has: a reader that hangs is felt at once
+
+
+def free_port():
+    with socket.socket() as s:
+        s.bind(("127.0.0.1", 0))
+        return s.getsockname()[1]
 
 
 class Rig:
@@ -86,14 +99,21 @@ class Rig:
         shutil.rmtree(self.checkpoints, ignore_errors=True)  # of an earlier soak
         os.makedirs(self.checkpoints)
         self.monitor_toml = os.path.join(self.out, "monitor.toml")
+        self.port = free_port()
         self.write_config()
+        self.pipe = os.path.join(self.checkpoints, "pipe")
+        os.mkfifo(self.pipe)
         scenario = os.path.join(os.path.dirname(__file__), "engine.toml")
 
         def log(name):
             return os.path.join(self.out, name + ".log")
 
+        log_end, self.log_pipe = os.pipe()
+        fcntl.fcntl(self.log_pipe, fcntl.F_SETPIPE_SZ, LOG_PIPE_BYTES)
+        self.log_reader = Service("log reader", ["cat"], log("monitor"), stdin=log_end)
         self.monitor = Service("monitor", [f"{build}/monitor/monitor", "--config", self.monitor_toml,
-                                           "--dds-domain", str(monitor_domain)] + realtime(options), log("monitor"))
+                                           "--dds-domain", str(monitor_domain)] + realtime(options), log("monitor"),
+                               stdout=self.log_pipe, stderr=self.log_pipe)
         self.simulator = Service("engine_sim", [
             f"{build}/engine_sim/engine_sim", "--config", scenario, "--dds-domain", str(source_domain),
             "--run-rate", "max" if options.accelerated else "1", "--run-wait-for-monitors", "1",
@@ -107,17 +127,25 @@ class Rig:
         self.hostile = Service("ehm_hostile", [
             f"{build}/tests/tools/ehm_hostile", "--domain", str(monitor_domain), "--duration-s", "0", "--seed", str(options.seed)],
             log("hostile"))
+        flood = os.path.join(os.path.dirname(__file__), "http_flood.py")
+        self.http_flood = Service("http_flood", [sys.executable, "-B", flood, str(self.port)], log("http_flood"))
 
     def write_config(self, design=None, log_level="info"):
         with open(self.monitor_toml, "w") as f:
             f.write(MONITOR_TOML.format(design=design or self.options.design, log_level=log_level,
                                         clock="source" if self.options.accelerated else "monotonic",
-                                        checkpoints=self.checkpoints))
+                                        checkpoints=self.checkpoints, port=self.port))
+
+    def fill_disk(self, full):
+        """A limit on the size of files stands for it, as everywhere where nobody is root."""
+        most = 0 if full else resource.RLIM_INFINITY
+        resource.prlimit(self.monitor.process.pid, resource.RLIMIT_FSIZE, (most, resource.RLIM_INFINITY))
 
     def services(self):
         return [s for s in (self.agent, self.impair, self.monitor, self.simulator) if s]
 
     def start(self):
+        self.log_reader.start()
         for service in self.services():
             service.start()
         os.set_blocking(self.agent.process.stdout.fileno(), False)
@@ -134,9 +162,13 @@ class Rig:
         """Exit codes of those that were to stop in order."""
         codes = {s.name: s.stop() for s in (self.simulator, self.monitor)}
         time.sleep(0.5)
-        for service in (self.impair, self.agent, self.hostile):
+        for service in (self.impair, self.agent, self.hostile, self.http_flood):
             if service:
                 service.stop()
+        os.close(self.log_pipe)  # the monitor's end is closed, too: the reader comes to the end of the log
+        if self.log_reader.process:
+            self.log_reader.signal(signal.SIGCONT)
+            self.log_reader.process.wait(5)
         return codes
 
 

@@ -1,6 +1,7 @@
 """Runs the pair for a long time while a seeded schedule disturbs it, and judges it by criteria. See soak.sh --help."""
 
 import argparse
+import http.client
 import json
 import os
 import re
@@ -9,12 +10,15 @@ import subprocess
 import sys
 import time
 import tomllib
+import urllib.error
+import urllib.request
 
 import judge
 import page
 import schedule
 import services
 
+HEALTH_LIMIT_S = 2.0
 SILENCE_LIMIT_S = 60.0  # wall time without a sample after which the soak gives up
 
 
@@ -57,7 +61,8 @@ def parse(arguments):
     here = os.path.dirname(os.path.abspath(__file__))
     parser = argparse.ArgumentParser(
         prog="soak.sh", description="Flies engine_sim and monitor while a seeded schedule of sensor faults, component "
-        "steps, kills, pauses, network faults, reloads and bad samples disturbs them; judges what happened.",
+        "steps, kills, pauses, network faults, reloads, bad samples, full disks, a log that nobody reads and HTTP floods "
+        "disturbs them; judges what happened.",
         epilog="Exit codes: 0 every criterion held, 1 one did not or the soak broke off, 2 wrong usage. "
         "The report is DIR/soak.html, the raw record DIR/record.jsonl, the logs of all programs DIR/*.log.")
     parser.add_argument("--duration", type=seconds, default=600.0, metavar="10m|72h",
@@ -174,6 +179,19 @@ class Soak:
                 line = dict(usage, what="usage", t=self.t, service=service.name, life=service.lives)
                 self.raw.write(json.dumps(line) + "\n")
 
+    def ask_health(self):
+        """How long the monitor's own word on its health takes, whoever floods it."""
+        began = time.monotonic()
+        try:
+            with urllib.request.urlopen(f"http://127.0.0.1:{self.rig.port}/health", timeout=HEALTH_LIMIT_S) as answer:
+                answer.read()
+            wait_ms = 1e3 * (time.monotonic() - began)
+        except urllib.error.HTTPError:  # 503 is an answer, too
+            wait_ms = 1e3 * (time.monotonic() - began)
+        except (OSError, http.client.HTTPException):
+            wait_ms = judge.NO_ANSWER_MS
+        self.record.health.append((self.active.kind if self.active else None, wait_ms))
+
     def say(self, what):
         if not self.options.json:
             print(f"{self.t:9.1f} s  {what}", flush=True)
@@ -187,6 +205,8 @@ class Soak:
             self.disturb()
             if self.wall() >= next_watch:
                 self.watch_processes()
+                if self.estimates:
+                    self.ask_health()
                 next_watch = self.wall() + min(5.0, self.options.duration / 60.0)
             if time.monotonic() - self.last_sample_wall > SILENCE_LIMIT_S:
                 self.say("no sample for a minute: the soak breaks off")

@@ -14,6 +14,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "deploy/config/usage_answer.h"
 #include "deploy/service/exit_code.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/realtime/clock.h"
@@ -238,7 +239,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+    return config::usage_answer(app, e);
   }
   try {
     wire::Participant source_side(options_of(source_domain)), monitor_side(options_of(monitor_domain));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "deploy/config/usage_answer.h"
 #include "deploy/files/atomic_file.h"
 #include "deploy/files/file_error.h"
 #include "deploy/service/exit_code.h"
@@ -84,7 +85,7 @@ int run_fit_maps(int argc, const char* const* argv, std::ostream& out, std::ostr
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, err) == 0 ? service::exit_ok : service::exit_usage;
+    return config::usage_answer(app, error, out, err);
   }
   try {
     fit_to_files(arguments, out);

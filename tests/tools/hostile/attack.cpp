@@ -57,11 +57,11 @@ void make_noise(EngineSensors& s, Random& random) {
 }  // namespace
 
 const std::vector<AttackName>& attack_names() {
-  static const std::vector<AttackName> names{{Attack::schema, "schema"},     {Attack::counts, "counts"},
-                                             {Attack::flight, "flight"},     {Attack::actuator, "actuator"},
-                                             {Attack::sensor, "sensor"},     {Attack::engine, "engine"},
-                                             {Attack::sequence, "sequence"}, {Attack::time, "time"},
-                                             {Attack::bits, "bits"},         {Attack::command, "command"}};
+  static const std::vector<AttackName> names{
+      {Attack::schema, "schema"},     {Attack::counts, "counts"},    {Attack::flight, "flight"},
+      {Attack::actuator, "actuator"}, {Attack::sensor, "sensor"},    {Attack::engine, "engine"},
+      {Attack::sequence, "sequence"}, {Attack::time, "time"},        {Attack::bits, "bits"},
+      {Attack::command, "command"},   {Attack::text, "text", false}, {Attack::reset, "reset", false}};
   return names;
 }
 
@@ -105,6 +105,8 @@ void spoil(EngineSensors& s, Attack attack, Random& random) {
       make_noise(s, random);
       break;
     case Attack::command:
+    case Attack::text:
+    case Attack::reset:
       break;
   }
 }
@@ -116,6 +118,36 @@ MonitorCommand bad_command(std::uint32_t engine_id, Random& random) {
   command.schema(unknown_kind ? wire::schema_version : wire::schema_version + 1);
   command.kind(unknown_kind ? 0x80000000u | static_cast<std::uint32_t>(random()) : 1u);
   return command;
+}
+
+MonitorCommand reset_command(std::uint32_t engine_id) {
+  MonitorCommand command;
+  command.engine_id(engine_id);
+  command.schema(wire::schema_version);
+  command.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+  return command;
+}
+
+EngineDescription bad_description(std::uint32_t engine_id, std::uint32_t source_id, Random& random) {
+  EngineDescription d;
+  d.engine_id(engine_id);
+  d.source_id(source_id);
+  d.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
+  d.schema(wire::schema_version);
+  const auto text = [&random] {
+    return one_of<const char*>({"\x1b[2J\x1b[H", "\x1b]0;owned\x07", "T30\r\nmonitor: all is well",
+                                "\x9b"
+                                "31m",
+                                "\xe2\x80\xae", "\xff\xfe", "%s%n%n", ""},
+                               random);
+  };
+  d.engine_type(text());
+  d.design_hash(text());
+  d.sensor_count(random() % 2 ? 7u : bad_count(random));
+  d.actuator_count(random() % 2 ? 3u : bad_count(random));
+  for (auto& channel : d.sensors()) channel.name(text()), channel.unit(text());
+  for (auto& channel : d.actuators()) channel.name(text()), channel.unit(text());
+  return d;
 }
 
 }  // namespace ehm::test

@@ -22,19 +22,26 @@ enum class Attack : std::size_t {
   sequence,  ///< sequence numbers at random and at their ends
   time,      ///< source times at random and at their ends
   bits,      ///< every field but the engine id is noise
-  command    ///< MonitorCommand of unknown kind or schema
+  command,   ///< MonitorCommand of unknown kind or schema
+  text,      ///< EngineDescription whose names steer terminals, with counts beyond the arrays
+  reset      ///< MonitorCommand as an operator sends it, again and again
 };
 
 struct AttackName {
   Attack attack;
   const char* name;
+  bool by_default = true;  ///< else only when named: what it sends is believed, and has its effect
 };
 const std::vector<AttackName>& attack_names();
 std::optional<Attack> attack_of(const std::string& name);
 
-/// Spoils the sample; Attack::command leaves it alone.
+/// Spoils the sample; what is no attack on samples leaves it alone.
 void spoil(EngineSensors& sample, Attack attack, std::mt19937_64& random);
 /// An order that no monitor should obey.
 MonitorCommand bad_command(std::uint32_t engine_id, std::mt19937_64& random);
+/// An order that each monitor obeys.
+MonitorCommand reset_command(std::uint32_t engine_id);
+/// Channels of a source, with names that clear screens, set titles, end lines, or are no UTF-8.
+EngineDescription bad_description(std::uint32_t engine_id, std::uint32_t source_id, std::mt19937_64& random);
 
 }  // namespace ehm::test

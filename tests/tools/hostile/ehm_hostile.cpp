@@ -1,5 +1,5 @@
-// ehm_hostile: floods a domain with bad sensor samples and bad commands, at a stated rate, from a seed. It spoils the
-// samples of the real source when it hears one, so that everything but one thing is plausible.
+// ehm_hostile: floods a domain with bad sensor samples, descriptions and commands, at a stated rate, from a seed. It
+// spoils the samples of the real source when it hears one, so that everything but one thing is plausible.
 // Prints what it sent, by kind, as one JSON object at the end.
 
 #include <CLI/App.hpp>
@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "deploy/config/usage_answer.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
@@ -55,7 +56,8 @@ class Flood {
         latest_(stranger(options)),
         heard_(participant),
         samples_(participant),
-        commands_(participant) {}
+        commands_(participant),
+        descriptions_(participant) {}
 
   int matched() const { return samples_.matched(); }
 
@@ -64,14 +66,19 @@ class Flood {
       if (s.engine_id() == options_.engine && s.source_id() != options_.source_id) latest_ = s;
     const Attack attack = attacks_[random_() % attacks_.size()];
     ++sent_[static_cast<std::size_t>(attack)];
-    if (attack == Attack::command) {
-      commands_.write(bad_command(options_.engine, random_));
-      return;
+    switch (attack) {
+      case Attack::command:
+        commands_.write(bad_command(options_.engine, random_));
+        return;
+      case Attack::reset:
+        commands_.write(reset_command(options_.engine));
+        return;
+      case Attack::text:
+        descriptions_.write(bad_description(options_.engine, options_.source_id, random_));
+        return;
+      default:
+        send_sample(attack);
     }
-    EngineSensors bad = latest_;
-    bad.source_id(options_.source_id);
-    spoil(bad, attack, random_);
-    samples_.write(bad);
   }
 
   std::string json() const {
@@ -86,6 +93,13 @@ class Flood {
   }
 
  private:
+  void send_sample(Attack attack) {
+    EngineSensors bad = latest_;
+    bad.source_id(options_.source_id);
+    spoil(bad, attack, random_);
+    samples_.write(bad);
+  }
+
   Options options_;
   std::vector<Attack> attacks_;
   std::mt19937_64 random_;
@@ -93,7 +107,8 @@ class Flood {
   wire::Reader<EngineSensors> heard_;
   wire::Writer<EngineSensors> samples_;
   wire::Writer<MonitorCommand> commands_;
-  std::array<std::uint64_t, 10> sent_{};
+  wire::Writer<EngineDescription> descriptions_;
+  std::array<std::uint64_t, 12> sent_{};
 };
 
 void run(const Options& options, std::vector<Attack> attacks) {
@@ -125,7 +140,8 @@ int main(int argc, char** argv) {
   Options options;
   std::string kinds;
   for (const auto& known : attack_names()) kinds += std::string(kinds.empty() ? "" : ", ") + known.name;
-  CLI::App app{"Floods a domain with bad sensor samples and commands.\n" + std::string(service::exit_code_help)};
+  CLI::App app{"Floods a domain with bad sensor samples, descriptions and commands.\n" +
+               std::string(service::exit_code_help)};
   app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
   app.add_option("--partition", options.partition, "DDS partition");
   app.add_option("--engine", options.engine, "engine_id to attack")->capture_default_str();
@@ -135,7 +151,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "of the generator")->capture_default_str();
-  app.add_option("--kinds", options.kinds, "which of: " + kinds + "; all by default")->delimiter(',');
+  app.add_option("--kinds", options.kinds, "which of: " + kinds + "; by default all but text and reset")
+      ->delimiter(',');
   app.add_option("--wait-for-readers", options.wait_for_readers, "send nothing before so many have matched")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
@@ -143,7 +160,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+    return config::usage_answer(app, e);
   }
   for (const auto& name : options.kinds) {
     const auto attack = attack_of(name);
@@ -154,7 +171,8 @@ int main(int argc, char** argv) {
     attacks.push_back(*attack);
   }
   if (attacks.empty())
-    for (const auto& known : attack_names()) attacks.push_back(known.attack);
+    for (const auto& known : attack_names())
+      if (known.by_default) attacks.push_back(known.attack);
   try {
     run(options, std::move(attacks));
     return service::exit_ok;

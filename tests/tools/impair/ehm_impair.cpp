@@ -10,6 +10,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "deploy/config/usage_answer.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
@@ -138,7 +139,7 @@ int main(int argc, char** argv) {
       throw std::invalid_argument("--from and --to are the same domain and partition; samples would go round in it");
     if (!options.schedule.empty()) schedule = Schedule(options.schedule);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+    return config::usage_answer(app, e);
   } catch (const std::exception& e) {
     std::cerr << "ehm_impair: " << e.what() << '\n';
     return service::exit_usage;

@@ -119,8 +119,7 @@ TEST(Command, CheckOfAModelSaysWhatItIs) {
 TEST(Command, WrongFilesExitWithTwoAndName) {
   const Result absent = run({"check", "/nonexistent/model.json"});
   EXPECT_EQ(absent.code, 2);
-  EXPECT_EQ(absent.err,
-            "tuner_design: /nonexistent/model.json: no such file. Check the path.\n");
+  EXPECT_EQ(absent.err, "tuner_design: /nonexistent/model.json: no such file. Check the path.\n");
 
   estimation::LinearModel blind = test::made_up_model();
   for (Eigen::MatrixXd* matrix : {&blind.L, &blind.M}) matrix->setZero();
@@ -130,7 +129,8 @@ TEST(Command, WrongFilesExitWithTwoAndName) {
                                 {"design", "--model", path, "--out", test::temporary_path("blind_design.json")}}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.code, 2);
-    EXPECT_THAT(result.err, StartsWith("tuner_design: " + path + ": no sensor sees anything of health in the steady state"));
+    EXPECT_THAT(result.err,
+                StartsWith("tuner_design: " + path + ": no sensor sees anything of health in the steady state"));
   }
   EXPECT_FALSE(std::filesystem::exists(test::temporary_path("blind_design.json")));
 
@@ -142,8 +142,13 @@ TEST(Command, WrongFilesExitWithTwoAndName) {
 TEST(Command, WrongUsageExitsWithTwo) {
   EXPECT_EQ(run({}).code, 2);
   EXPECT_EQ(run({"fly"}).code, 2);
-  EXPECT_THAT(run({"desing"}).err,
-              StartsWith("tuner_design: unknown command 'desing'; allowed are linearise, import, design, "));
+  EXPECT_THAT(
+      run({"desing"}).err,
+      StartsWith("tuner_design: unknown command 'desing'; did you mean design? Allowed are linearise, import, "));
+  const Result option = run({"design", "--modle", "m.json", "--out", "d.json"});  // and --model is missing
+  EXPECT_EQ(option.code, 2);
+  EXPECT_EQ(option.err,
+            "tuner_design design: unknown option --modle; did you mean --model? See tuner_design design --help\n");
   EXPECT_EQ(run({"design", "--model", "m", "--out", "d", "--qh", "1e6"}).code, 2);
   EXPECT_EQ(run({"design"}).code, 2);
   for (const char* qh : {"-1", "0", "nan", "inf", "fast"}) {
