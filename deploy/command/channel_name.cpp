@@ -33,16 +33,24 @@ std::size_t find_channel(const std::string& name, std::span<const ChannelDescrip
                                    name, list_of(channels)));
 }
 
-wire::OrderedChannel address(Order& order, std::uint32_t engine_id, const EngineDescription& description) {
+wire::OrderedChannel address(Order& order, std::uint32_t engine_id, std::span<const EngineDescription> descriptions) {
   std::visit([&](auto& command) { command.engine_id(engine_id); }, order.command);
   if (order.channel_kind == ChannelKind::none) return {};
   const bool sensor = order.channel_kind == ChannelKind::sensor;
-  const std::span<const ChannelDescription> channels =
-      sensor ? std::span(description.sensors()).first(description.sensor_count())
-             : std::span(description.health()).first(description.health_count());
-  const std::size_t i = find_channel(order.channel, channels, sensor ? "sensor" : "health parameter");
-  std::get<SimCommand>(order.command).channel(static_cast<std::uint32_t>(i));
-  return {channels[i].name().c_str(), channels[i].unit().c_str()};
+  std::optional<std::size_t> number;
+  wire::OrderedChannel channel;
+  for (const auto& d : descriptions) {
+    const std::span<const ChannelDescription> channels =
+        sensor ? std::span(d.sensors()).first(d.sensor_count()) : std::span(d.health()).first(d.health_count());
+    const std::size_t i = find_channel(order.channel, channels, sensor ? "sensor" : "health parameter");
+    if (number.value_or(i) != i)
+      throw UnknownChannel(fmt::format("the simulators of engine {} number '{}' differently; stop one of them",
+                                       engine_id, order.channel));
+    number = i;
+    channel = {channels[i].name().c_str(), channels[i].unit().c_str()};
+  }
+  std::get<SimCommand>(order.command).channel(static_cast<std::uint32_t>(number.value()));
+  return channel;
 }
 
 }  // namespace ehm::operating

@@ -23,7 +23,8 @@ std::size_t find_channel(const std::string& name, std::span<const ChannelDescrip
 
 /// Gives the order's command its engine and the number of its channel; returns the channel as it is described. An order
 /// without a channel needs no description, and gets an empty one back.
-/// @throws UnknownChannel
-wire::OrderedChannel address(Order& order, std::uint32_t engine_id, const EngineDescription& description);
+/// @throws UnknownChannel, also where those who describe the engine number the channel differently: one order cannot
+///         mean both
+wire::OrderedChannel address(Order& order, std::uint32_t engine_id, std::span<const EngineDescription> descriptions);
 
 }  // namespace ehm::operating

@@ -53,6 +53,11 @@ class CommandLink {
   int readers() const { return commands_.matched(); }
   /// By the number of its participant.
   const std::map<std::uint64_t, Addressee>& addressees() const { return addressees_; }
+  std::vector<EngineDescription> descriptions() const {
+    std::vector<EngineDescription> all;
+    for (const auto& [participant, addressee] : addressees_) all.push_back(addressee.description);
+    return all;
+  }
   /// Other engines that somebody described.
   const std::set<std::uint32_t>& other_engines() const { return other_engines_; }
 

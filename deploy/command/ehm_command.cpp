@@ -26,10 +26,9 @@ using namespace ehm::operating;
 
 constexpr const char* purpose =
     "Gives orders to the simulator and to the monitors, and says what became of them.\n"
-    "Sensors and health parameters have the names that the running engine describes; capitals need not be right where\n"
-    "that leaves one name. Who listens is to answer: 0 is returned if all carried the order out, 1 if one refused or "
-    "was\n"
-    "silent, or if nobody listens.";
+    "Sensors and health parameters have the names that the running engine describes; capitals need not be right\n"
+    "where that leaves one name. Who listens is to answer: 0 is returned if all carried the order out, 1 if one\n"
+    "refused or was silent, or if nobody listens.";
 
 struct Options {
   client::ClientOptions client;
@@ -42,12 +41,13 @@ struct Options {
 /// What was looked for and not found.
 template <class Command>
 std::string nobody(const CommandLink<Command>& link, const Options& options) {
-  std::string text =
-      fmt::format("nobody carries out {} of engine {} on domain {}, partition '{}'", wire::Topic<Command>::name,
-                  options.engine, options.client.domain, options.client.partition);
-  text +=
-      fmt::format(": within {} s {} reader(s) of the topic, and no {} that describes this engine", options.timeout_s,
-                  link.readers(), std::is_same_v<Command, MonitorCommand> ? "monitor" : "simulator");
+  std::string text = fmt::format("nobody carries out {} of engine {} on domain {}, partition '{}': within {} s ",
+                                 wire::Topic<Command>::name, options.engine, options.client.domain,
+                                 options.client.partition, options.timeout_s);
+  text += link.readers() == 0 ? "no reader of the topic" : fmt::format("{} reader(s) of the topic", link.readers());
+  if (link.addressees().empty())
+    text += std::is_same_v<Command, MonitorCommand> ? ", no monitor that describes this engine"
+                                                    : ", no simulator that describes this engine";
   for (const std::uint32_t other : link.other_engines())
     text += fmt::format("{}{}", other == *link.other_engines().begin() ? "; there is engine " : ", ", other);
   return text + "; is it running, on this domain and partition?";
@@ -70,9 +70,7 @@ int give(Options& options) {
     std::cerr << "ehm_command: " << nobody(link, options) << '\n';
     return service::exit_failed;
   }
-  const EngineDescription described =
-      link.addressees().empty() ? EngineDescription{} : link.addressees().begin()->second.description;
-  const wire::OrderedChannel channel = address(options.order, options.engine, described);
+  const wire::OrderedChannel channel = address(options.order, options.engine, link.descriptions());
   const auto& command = std::get<Command>(options.order.command);
   Report report{.topic = wire::Topic<Command>::name,
                 .partition = options.client.partition,

@@ -98,11 +98,10 @@ void add_demand(CLI::App& app, Order& order) {
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App* demand = app.add_subcommand("demand", "Demands another power of the simulated engine");
-  CLI::Option_group* one = demand->add_option_group("one", "One of them");
-  one->add_option("--n1-rpm", a->n1_rpm, "fan speed, rpm")->check(finite_number());
-  one->add_option("--thrust-n,--net-thrust-n", a->net_thrust_n, "net thrust that the new engine would give, N")
+  demand->add_option("--n1-rpm", a->n1_rpm, "fan speed, rpm; or")->check(finite_number());
+  demand->add_option("--thrust-n,--net-thrust-n", a->net_thrust_n, "net thrust that the new engine would give, N")
       ->check(finite_number());
-  one->require_option(1);
+  demand->require_option(1);
   demand->callback([a, &order] {
     order = {a->n1_rpm ? sim_command(SimCommandKind::set_demand, *a->n1_rpm)
                        : sim_command(SimCommandKind::set_thrust, *a->net_thrust_n)};

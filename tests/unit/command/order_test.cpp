@@ -99,7 +99,7 @@ TEST(Order, WhatIsWrongIsSaid) {
   EXPECT_THAT(error("health hpt_flow 2%"), HasSubstr("'2%', allowed is a finite number"));
   EXPECT_THAT(error("flight --mach 0.8"), HasSubstr("--altitude"));
   EXPECT_THAT(error("demand"), HasSubstr("required"));
-  EXPECT_THAT(error("demand --n1-rpm 3300 --thrust-n 3"), HasSubstr("Exactly 1 option from [--n1-rpm"));
+  EXPECT_THAT(error("demand --n1-rpm 3300 --thrust-n 3"), HasSubstr("Exactly 1 option from ["));
   EXPECT_THAT(error("demand --n1-rpm inf"), HasSubstr("'inf', allowed is a finite number"));
 }
 
