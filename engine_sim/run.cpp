@@ -8,7 +8,7 @@
 
 #include "deploy/service/notify.h"
 #include "deploy/service/watchdog.h"
-#include "engine_sim/dds/command_reader.h"
+#include "engine_sim/dds/command_desk.h"
 #include "engine_sim/dds/lockstep.h"
 #include "engine_sim/dds/sim_publisher.h"
 #include "engine_sim/dds/wait_for_readers.h"
@@ -47,7 +47,7 @@ class SourceClock {
 /// The simulator's place in DDS: made anew when the process was held up for so long that others have dropped it.
 class Link {
  public:
-  Link(const SimConfig& config, const Simulation& simulation) : config_(config), simulation_(simulation) { join(); }
+  Link(const SimConfig& config, Simulation& simulation) : config_(config), simulation_(simulation) { join(); }
 
   /// To be called at least once a second; true if the link is a new one, and as many listen to it as before, or two
   /// seconds are over.
@@ -64,12 +64,14 @@ class Link {
     const auto ready = [&] {
       turns.turned();
       keep(stop);
+      obey();
       return ends_->publisher.monitors() >= wanted && (!ends_->lockstep || ends_->lockstep->monitors() > 0);
     };
     wait_for_readers(wanted, ready, stop);
   }
   SimPublisher& publisher() { return ends_->publisher; }
-  CommandReader& commands() { return ends_->commands; }
+  /// Carries out what operators have ordered meanwhile.
+  void obey() { ends_->commands.serve(simulation_); }
   /// Null in real time.
   Lockstep* lockstep() { return ends_->lockstep ? &*ends_->lockstep : nullptr; }
 
@@ -78,14 +80,14 @@ class Link {
     explicit Ends(const SimConfig& config)
         : participant(config, "engine_sim " + std::to_string(config.scenario.engine_id)),
           publisher(participant, config.scenario),
-          commands(participant, static_cast<std::uint32_t>(config.scenario.engine_id)) {
+          commands(participant, config.scenario) {
       if (config.rate_factor() == 0.0)
         lockstep.emplace(participant, static_cast<std::uint32_t>(config.scenario.engine_id),
                          static_cast<std::uint64_t>(config.lockstep_window));
     }
     WatchedParticipant participant;
     SimPublisher publisher;
-    CommandReader commands;
+    CommandDesk commands;
     std::optional<Lockstep> lockstep;
   };
   void join() {
@@ -95,7 +97,7 @@ class Link {
   }
 
   const SimConfig& config_;
-  const Simulation& simulation_;
+  Simulation& simulation_;
   std::optional<Ends> ends_;
 };
 
@@ -119,7 +121,7 @@ void run(const SimConfig& config, Simulation& simulation, const service::StopSig
   std::uint64_t sent = 0, refused = 0;
   while (!stop.requested() && (scenario.duration_s <= 0.0 || simulation.time_s() < scenario.duration_s)) {
     if (link.keep(stop)) pacer.restart();
-    link.commands().apply_all(simulation, [](const std::string& what) { spdlog::info("{}", what); });
+    link.obey();
     if (link.lockstep() && !link.lockstep()->admit(sent, answer_limit))
       throw std::runtime_error("rate max: no monitor has answered for 10 s (EngineResiduals of engine " +
                                std::to_string(engine_id) + "); start a monitor on this domain and partition");

@@ -95,6 +95,11 @@ ControlledSample Simulation::step(const ProfilePoint& now, const HealthVector& h
   }
 }
 
+double Simulation::most_net_thrust_n() const {
+  FanSpeedDemand fan_speed = fan_speed_;
+  return fan_speed.most_net_thrust_n(profile_.at(time_s()).flight);
+}
+
 template <class Flight, class Health>
 bool Simulation::survives(double seconds, Flight flight, Health health_at) const {
   try {

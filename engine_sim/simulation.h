@@ -56,6 +56,8 @@ class Simulation {
   void order_health(std::size_t parameter, double target, double ramp_s) {
     deterioration_.order(parameter, target, ramp_s, time_s());
   }
+  /// The most that a demand of net thrust can get where the engine flies now (fan_speed_demand.h).
+  double most_net_thrust_n() const;
   /// Does the engine go on running for a second, if the flight condition jumps there now?
   bool can_fly(const FlightCondition& flight) const;
   /// Does it go on running for three seconds, if a health parameter moves there within ramp_s (a second at most here)?

@@ -32,6 +32,7 @@ forbid "the bench is offline: no DDS" "$dds" tuner_design monitor/design
 forbid "the offline commands need no DDS" "$dds" engine_sim/deck engine_sim/figures engine_sim/commands.h engine_sim/commands.cpp
 forbid "files know no program" 'engine_sim/|monitor/|tuner_design/' deploy/files deploy/recording deploy/units
 forbid "recordings know no DDS" "$dds" deploy/recording
+forbid "operators' tools know no service, only the wire" 'engine_sim/|monitor/|tuner_design/' deploy/client deploy/command
 forbid "the wire knows no service" 'engine_sim/|monitor/|tuner_design/' idl
 forbid "nothing includes the tests" 'tests/' engine_sim monitor tuner_design idl deploy
 

@@ -108,8 +108,8 @@ void files(std::ostream& out, const std::string& program) {
 }
 
 void see_also(std::ostream& out, const std::string& program) {
-  constexpr std::array pages{std::pair{"ehm_watch", 1}, std::pair{"engine_sim", 8}, std::pair{"monitor", 8},
-                             std::pair{"tuner_design", 1}};
+  constexpr std::array pages{std::pair{"ehm_command", 1}, std::pair{"ehm_watch", 1}, std::pair{"engine_sim", 8},
+                             std::pair{"monitor", 8}, std::pair{"tuner_design", 1}};
   out << ".SH SEE ALSO\n";
   std::string separator;
   for (const auto& [name, section] : pages) {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+#include "deploy/client/client_options.h"
 #include "deploy/config/man_page.h"
 #include "deploy/config/usage_answer.h"
 #include "deploy/demo/watch_csv.h"
@@ -20,7 +21,6 @@
 #include "deploy/service/stop_signal.h"
 #include "deploy/service/written.h"
 #include "idl/dds/endpoint.h"
-#include "idl/dds/security.h"
 #include "idl/wire_values.h"
 
 namespace {
@@ -29,8 +29,8 @@ using namespace ehm;
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::uint32_t domain = 0, engine = 1;
-  std::string partition, security;
+  client::ClientOptions client;
+  std::uint32_t engine = 1;
   double seconds = 0.0;
   double timeout_s = 30.0;
   bool json = false, redundant = false;
@@ -38,14 +38,8 @@ struct Options {
 };
 
 wire::ParticipantOptions participant_options(const Options& options) {
-  wire::ParticipantOptions participant;
-  participant.domain = options.domain;
-  participant.name = "ehm_watch";
-  participant.partition = options.partition;
+  auto participant = client::participant_options(options.client, "ehm_watch");
   participant.redundancy.exclusive = options.redundant;
-  participant.security = options.security;
-  participant.on_incompatible = [](const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
-  participant.on_unreadable = [](bool, const std::string& what) { std::cerr << "ehm_watch: " << what << '\n'; };
   return participant;
 }
 
@@ -138,14 +132,7 @@ int run(int argc, char** argv) {
   Options options;
   CLI::App app{"Shows true and estimated health of one engine, live.", "ehm_watch"};
   app.footer(service::exit_code_help);
-  app.add_option("--domain,--dds-domain", options.domain, "DDS domain")
-      ->check(CLI::Range(0, 232))
-      ->envname("EHM_DDS_DOMAIN")
-      ->capture_default_str();
-  app.add_option("--partition,--dds-partition", options.partition, "DDS partition")->envname("EHM_DDS_PARTITION");
-  app.add_option("--security,--dds-security", options.security,
-                 "directory of certificates and permissions that make_security.sh made")
-      ->envname("EHM_DDS_SECURITY");
+  client::add_client_options(app, options.client);
   app.add_flag("--redundant", options.redundant, "ask for exclusive ownership, as monitors with a standby offer it");
   app.add_option("--engine", options.engine, "engine_id to show")
       ->check(CLI::Range(1u, 4294967295u))
@@ -169,7 +156,7 @@ int run(int argc, char** argv) {
   }
 
   try {
-    wire::check_security(options.security);
+    client::check_files(options.client);
   } catch (const wire::DdsError& e) {
     std::cerr << "ehm_watch: " << e.what() << '\n';
     return service::exit_usage;

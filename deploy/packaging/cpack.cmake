@@ -38,8 +38,8 @@ set(CPACK_DEBIAN_ENGINE_SIM_PACKAGE_CONTROL_EXTRA ${scripts}/ehm-engine-sim/post
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME ehm-tools)
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "bench and display of the engine health monitor
 Makes the design file that the monitor loads from an engine's linear model
-(tuner_design), and shows truth beside estimate while the pair runs
-(ehm_watch).")
+(tuner_design), shows truth beside estimate while the pair runs (ehm_watch),
+and gives orders to both (ehm_command).")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS openssl)
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME ehm-dev)

@@ -26,16 +26,27 @@ double FanSpeedDemand::n1_rpm(const Demand& demand, const FlightCondition& fligh
   return last_->n1_rpm;
 }
 
-double FanSpeedDemand::converted(double net_thrust_n, const FlightCondition& flight) {
+double FanSpeedDemand::most_net_thrust_n(const FlightCondition& flight) {
+  return at_speed_limit(flight).gas.net_thrust_n;
+}
+
+double FanSpeedDemand::speed_limit_rpm(const FlightCondition& flight) const {
   const double root_theta = std::sqrt(intake(engine_.data().inlet, flight).tt_k / reference_temperature_k);
-  const double n1_most = std::min(data_.limits.n1_rpm, data_.limits.n1_corrected_rpm * root_theta);
-  const Surroundings new_engine{.flight = flight};
+  return std::min(data_.limits.n1_rpm, data_.limits.n1_corrected_rpm * root_theta);
+}
+
+SteadyPoint FanSpeedDemand::at_speed_limit(const FlightCondition& flight) {
   const SteadyPoint* near = near_ ? &*near_ : nullptr;
-  const SteadyPoint most = solve_scheduled(engine_, data_, new_engine, {DemandKind::n1_rpm, n1_most}, near);
+  const SteadyPoint most =
+      solve_scheduled(engine_, data_, {.flight = flight}, {DemandKind::n1_rpm, speed_limit_rpm(flight)}, near);
   if (!near_) near_ = most;
-  if (net_thrust_n >= most.gas.net_thrust_n) return n1_most;
+  return most;
+}
+
+double FanSpeedDemand::converted(double net_thrust_n, const FlightCondition& flight) {
+  if (net_thrust_n >= most_net_thrust_n(flight)) return speed_limit_rpm(flight);
   try {
-    near_ = solve_scheduled(engine_, data_, new_engine, {DemandKind::net_thrust_n, net_thrust_n}, &*near_);
+    near_ = solve_scheduled(engine_, data_, {.flight = flight}, {DemandKind::net_thrust_n, net_thrust_n}, &*near_);
     return near_->gas.speeds.n1_rpm;
   } catch (const SolveError&) {
     return 0.0;  // less thrust than the engine gives where it runs: idle

@@ -22,6 +22,8 @@ class FanSpeedDemand {
   /// `demand`: n1_rpm or net_thrust_n.
   /// @throws std::invalid_argument for another kind of demand
   double n1_rpm(const Demand& demand, const FlightCondition& flight);
+  /// What the new engine gives at its limit of fan speed. @throws SolveError if it does not run there
+  double most_net_thrust_n(const FlightCondition& flight);
 
  private:
   struct Converted {
@@ -30,6 +32,8 @@ class FanSpeedDemand {
     double n1_rpm;
   };
   double converted(double net_thrust_n, const FlightCondition& flight);
+  double speed_limit_rpm(const FlightCondition& flight) const;
+  SteadyPoint at_speed_limit(const FlightCondition& flight);
 
   const Turbofan& engine_;
   ControlData data_;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "deploy/config/table_reader.h"
+#include "idl/fault_names.h"
 
 namespace ehm::engine {
 
@@ -50,7 +51,7 @@ Demand profile_demand(TableReader& t) {
 void declare_tables(Schema& schema, Scenario& s) {
   static const auto health = list_of(health_names);
   static const auto sensors = list_of(sensor_names);
-  static const std::vector<std::string> kinds{"bias", "drift", "stuck", "dropout", "noise"};
+  static const std::vector<std::string> kinds(wire::sensor_fault_names.begin() + 1, wire::sensor_fault_names.end());
   schema.tables("profile",
                 "flight and demand over time: time_s, n1_rpm or net_thrust_n (one of them throughout), and optionally "
                 "altitude_m, mach, delta_isa_k",

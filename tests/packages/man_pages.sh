@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Each program's manual page reads without a warning and leaves nothing out: every configuration key of --print-config
-# with its variable and flag, every option and command of --help. Usage: man_pages.sh MONITOR ENGINE_SIM TUNER_DESIGN EHM_WATCH
+# with its variable and flag, every option and command of --help. Usage: man_pages.sh PROGRAM...
 # shellcheck disable=SC2086  # lists of words on purpose
 set -euo pipefail
 work=$(mktemp -d "${TMPDIR:-/tmp}/ehm-man.XXXXXX")

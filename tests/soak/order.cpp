@@ -1,9 +1,8 @@
 #include "tests/soak/order.h"
 
-#include <map>
 #include <sstream>
 
-#include "idl/wire_values.h"
+#include "idl/fault_names.h"
 
 namespace ehm::soak {
 
@@ -18,19 +17,15 @@ SimCommand sim_command(std::uint32_t engine_id, wire::SimCommandKind kind) {
 }
 
 std::optional<Order> sensor_order(std::istringstream& words, std::uint32_t engine_id) {
-  static const std::map<std::string, wire::SensorFaultKind> kinds{
-      {"none", wire::SensorFaultKind::none},       {"bias", wire::SensorFaultKind::bias},
-      {"drift", wire::SensorFaultKind::drift},     {"stuck", wire::SensorFaultKind::stuck},
-      {"dropout", wire::SensorFaultKind::dropout}, {"noise", wire::SensorFaultKind::noise}};
   std::uint32_t channel = 0;
   std::string kind;
   double magnitude = 0.0, duration_s = 0.0;
   if (!(words >> channel >> kind >> magnitude >> duration_s)) return {};
-  const auto found = kinds.find(kind);
-  if (found == kinds.end()) return {};
+  const auto fault = wire::sensor_fault_kind(kind);
+  if (!fault) return {};
   SimCommand c = sim_command(engine_id, wire::SimCommandKind::sensor_fault);
   c.channel(channel);
-  c.fault(static_cast<std::uint32_t>(found->second));
+  c.fault(static_cast<std::uint32_t>(*fault));
   c.value()[0] = magnitude;
   c.value()[1] = duration_s;
   return c;

@@ -6,25 +6,13 @@
 #include <cstdio>
 #include <utility>
 
-#include "engine_sim/dds/command_reader.h"
-#include "idl/wire_values.h"
+#include "tests/unit/simulation/quiet_flight.h"
 
 namespace {
 
-using namespace ehm;
 using namespace ehm::engine;
-
-Scenario quiet() {
-  Scenario s;
-  s.sensors.noise_speed_percent = s.sensors.noise_pressure_percent = s.sensors.noise_temperature_percent = 0.0;
-  return s;
-}
-
-SimSample fly(Simulation& simulation, int samples) {
-  SimSample sample;
-  for (int k = 0; k < samples; ++k) sample = simulation.next();
-  return sample;
-}
+using ehm::test::fly;
+using ehm::test::quiet;
 
 TEST(Simulation, ANewEngineInBalanceStaysInBalance) {
   Simulation simulation(quiet());
@@ -133,7 +121,8 @@ TEST(Simulation, SurvivesEveryWearThatItSaysItCan) {
         simulation.order_health(parameter, target, ramp_s);
         EXPECT_NO_THROW({
           for (int k = 0; k < 600; ++k) simulation.next();
-        }) << parameter << " to " << target << " within " << ramp_s << " s";
+        }) << parameter
+           << " to " << target << " within " << ramp_s << " s";
       }
   std::printf("%d of %zu orders of wear refused\n", refused, health_count * 8);
   EXPECT_GT(refused, 0);  // the deepest of them end an engine
@@ -151,43 +140,6 @@ TEST(Simulation, SaysWhatItCannotFly) {
               0u)
         << e.what();
   }
-}
-
-TEST(SimCommand, ChangesDemandHealthAndSensors) {
-  Simulation simulation(quiet());
-  const SimSample before = simulation.next();
-  SimCommand c;
-  c.schema(1);
-  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_demand));
-  c.value()[0] = 0.97 * before.readings[0].value;
-  apply(c, simulation);
-  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::add_health));
-  c.channel(hpc_flow);
-  c.value()[0] = -0.01;
-  apply(c, simulation);
-  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::sensor_fault));
-  c.channel(3);
-  c.fault(static_cast<std::uint32_t>(wire::SensorFaultKind::dropout));
-  c.value()[0] = 0.0;
-  apply(c, simulation);
-  const SimSample after = fly(simulation, 1000);
-  EXPECT_NEAR(after.readings[0].value, 0.97 * before.readings[0].value, 0.002 * before.readings[0].value);
-  EXPECT_DOUBLE_EQ(after.health[hpc_flow], -0.01);
-  EXPECT_FALSE(after.readings[3].valid);
-  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::clear_faults));
-  apply(c, simulation);
-  EXPECT_TRUE(simulation.next().readings[3].valid);
-}
-
-TEST(SimCommand, ThrustIsADemandToo) {
-  Simulation simulation(quiet());
-  const double thrust_n = 0.9 * simulation.next().auxiliary[2];
-  SimCommand c;
-  c.schema(1);
-  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_thrust));
-  c.value()[0] = thrust_n;
-  apply(c, simulation);
-  EXPECT_NEAR(fly(simulation, 1000).auxiliary[2], thrust_n, 1e-3 * thrust_n);  // a new engine gives what is asked
 }
 
 TEST(Simulation, MetalFollowsWithSecondsOfHeatSoak) {
@@ -213,33 +165,6 @@ TEST(Simulation, TheAircraftsOfftakeCostsFuel) {
   taken.offtake = {.customer_bleed_kg_s = 1.0, .power_w = 150e3};
   Simulation with(taken);
   EXPECT_GT(with.next().actuation.fuel_flow_kg_s, 1.01 * without.next().actuation.fuel_flow_kg_s);
-}
-
-TEST(SimCommand, RefusesWhatIsOutOfRange) {
-  Simulation simulation(quiet());
-  const auto error = [&](const SimCommand& c) -> std::string {
-    try {
-      apply(c, simulation);
-    } catch (const std::invalid_argument& e) {
-      return e.what();
-    }
-    return {};
-  };
-  SimCommand c;
-  c.schema(1);
-  EXPECT_EQ(error(c), "kind is 0, allowed is 1 to 7 (idl/wire_values.h)");
-  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_demand));
-  EXPECT_EQ(error(c), "value[0] (n1_rpm) is 0, allowed is 500 to 5000");
-  c.value()[0] = std::nan("");
-  EXPECT_EQ(error(c), "value[0] (n1_rpm) is nan, allowed is 500 to 5000");
-  c.kind(static_cast<std::uint32_t>(wire::SimCommandKind::set_health));
-  c.channel(10);
-  EXPECT_EQ(error(c), "channel is 10, allowed is 0 to 9");
-  c.channel(0);
-  c.value()[0] = -0.5;
-  EXPECT_EQ(error(c), "health after the command is -0.5, allowed is -0.3 to 0.1");
-  c.schema(2);
-  EXPECT_EQ(error(c), "schema is 2, allowed is 1 to 1");
 }
 
 }  // namespace
