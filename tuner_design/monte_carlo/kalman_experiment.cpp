@@ -2,8 +2,8 @@
 
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/error_propagation.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/monte_carlo/engine_average.h"
 #include "tuner_design/monte_carlo/engine_motion.h"
 #include "tuner_design/monte_carlo/random_stream.h"
