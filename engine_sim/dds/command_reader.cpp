@@ -18,20 +18,21 @@ void require(const char* field, double value, double min, double max) {
                                 config::number_text(min) + " to " + config::number_text(max));
 }
 
-void change_health(const SimCommand& c, Simulation& s, bool relative) {
-  require("channel", c.channel(), 0, health_count - 1);
+void change_health(const SimCommand& c, SimulatedEngine& s, bool relative) {
+  require("channel", c.channel(), 0, static_cast<double>(s.channels().health.size()) - 1);
   require("value[1] (ramp_s)", c.value()[1], 0, 1e9);
-  const double present = s.health()[c.channel()];
+  const double present = s.health_of(c.channel());
   const double target = relative ? present + c.value()[0] : c.value()[0];
-  require("health after the command", target, -0.30, 0.10);
+  const HealthRange range = s.health_range(c.channel());
+  require("health after the command", target, range.least, range.most);
   if (!s.can_wear(c.channel(), target, c.value()[1]))
     throw std::invalid_argument("the engine does not survive a health of " + config::number_text(target) +
                                 " at its present power; change the demand first, or by less");
   s.order_health(c.channel(), target, c.value()[1]);
 }
 
-void inject_fault(const SimCommand& c, Simulation& s) {
-  require("channel", c.channel(), 0, sensor_count - 1);
+void inject_fault(const SimCommand& c, SimulatedEngine& s) {
+  require("channel", c.channel(), 0, static_cast<double>(s.channels().sensors.size()) - 1);
   require("fault", c.fault(), 0, static_cast<double>(wire::SensorFaultKind::noise));
   require("value[0] (magnitude)", c.value()[0], -1e9, 1e9);
   require("value[1] (duration_s)", c.value()[1], 0, 1e9);
@@ -40,7 +41,7 @@ void inject_fault(const SimCommand& c, Simulation& s) {
 
 }  // namespace
 
-void apply(const SimCommand& c, Simulation& s) {
+void apply(const SimCommand& c, SimulatedEngine& s) {
   require("schema", c.schema(), wire::schema_version, wire::schema_version);
   switch (static_cast<SimCommandKind>(c.kind())) {
     case SimCommandKind::set_demand:
@@ -64,13 +65,13 @@ void apply(const SimCommand& c, Simulation& s) {
     case SimCommandKind::sensor_fault:
       return inject_fault(c, s);
     case SimCommandKind::clear_faults:
-      for (std::size_t i = 0; i < sensor_count; ++i) s.inject(i, {});
+      for (std::size_t i = 0; i < s.channels().sensors.size(); ++i) s.inject(i, {});
       return;
   }
   throw std::invalid_argument("kind is " + std::to_string(c.kind()) + ", allowed is 1 to 7 (idl/wire_values.h)");
 }
 
-void CommandReader::apply_all(Simulation& simulation, const std::function<void(const std::string&)>& say) {
+void CommandReader::apply_all(SimulatedEngine& simulation, const std::function<void(const std::string&)>& say) {
   SimCommand command;
   while (reader_.take(command)) {
     if (command.engine_id() != engine_id_) continue;

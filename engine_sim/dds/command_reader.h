@@ -4,14 +4,14 @@
 #include <functional>
 #include <string>
 
-#include "engine_sim/simulation.h"
+#include "engine_sim/simulated_engine.h"
 #include "idl/dds/endpoint.h"
 
 namespace ehm::engine {
 
-/// Applies one command at the simulation's present time.
-/// @throws std::invalid_argument naming field, value and allowed range.
-void apply(const SimCommand& command, Simulation& simulation);
+/// Applies one command at the engine's present time.
+/// @throws std::invalid_argument naming field, value and allowed range, or why this engine cannot follow it.
+void apply(const SimCommand& command, SimulatedEngine& engine);
 
 class CommandReader {
  public:
@@ -19,7 +19,7 @@ class CommandReader {
       : reader_(participant), engine_id_(engine_id) {}
 
   /// Applies what has arrived for this engine; `say` hears of each.
-  void apply_all(Simulation& simulation, const std::function<void(const std::string&)>& say);
+  void apply_all(SimulatedEngine& simulation, const std::function<void(const std::string&)>& say);
 
  private:
   wire::Reader<SimCommand> reader_;
