@@ -3,7 +3,7 @@
 # Usage: deploy/demo.sh [--seconds N] [--json]
 #   --seconds N   length of the flight, 12 to 86400 (default 30); at 10 s HPC efficiency falls by 2 %
 #   --json        print the summary as one JSON object and nothing else on standard output
-# Exit: 0 nothing lost and every estimate within 3 published sigmas, 1 otherwise, 2 wrong usage
+# Exit: 0 nothing lost or withheld and every estimate within 3 published sigmas, 1 otherwise, 2 wrong usage
 # EHM_BUILD_DIR names another build folder, EHM_DDS_DOMAIN another DDS domain (default 42), EHM_DEMO_CSV a file for every
 # estimate beside its truth.
 set -euo pipefail

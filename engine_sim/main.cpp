@@ -1,10 +1,10 @@
-// engine_sim: arguments -> scenario -> simulation -> DDS, one sample each period -> exit code;
+// engine_sim: arguments -> scenario -> simulated engine -> DDS, one sample each period -> exit code;
 // engine_sim COMMAND: an offline command instead (commands.h).
 
 #include <spdlog/spdlog.h>
 
 #include <iostream>
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "deploy/config/command_line.h"
@@ -17,14 +17,28 @@
 #include "deploy/service/stop_signal.h"
 #include "deploy/service/written.h"
 #include "engine_sim/commands.h"
+#include "engine_sim/linear/linear_engine.h"
 #include "engine_sim/replay/replay.h"
 #include "engine_sim/run.h"
 #include "engine_sim/scenario/scenario_file.h"
+#include "engine_sim/simulation.h"
 #include "idl/dds/security.h"
 
 namespace {
 
 using namespace ehm;
+
+/// The turbofan, or the user's own model. @throws std::runtime_error naming the keys that are wrong.
+std::unique_ptr<engine::SimulatedEngine> make_engine(const engine::SimConfig& config) {
+  try {
+    if (config.linear) return std::make_unique<engine::LinearEngine>(*config.linear, config.scenario);
+    return std::make_unique<engine::Simulation>(config.scenario);
+  } catch (const std::exception& e) {
+    throw std::runtime_error(
+        (config.linear ? "'linear.model': " + config.linear_model + ": " : "'demand', 'flight' or 'wear': ") +
+        e.what());
+  }
+}
 
 /// A recording instead of a flight: the same exit codes.
 int replay(const engine::SimConfig& config, bool check_only) {
@@ -62,7 +76,8 @@ int run(int argc, char** argv) {
 
   config::CommandLine line;
   const std::string purpose =
-      std::string("Flies a nonlinear turbofan and publishes its sensors on DDS.\n") + engine::command_help;
+      std::string("Flies a nonlinear turbofan, or a linear model of your own, and publishes its sensors on DDS.\n") +
+      engine::command_help;
   CLI::App commands;
   engine::Command run_none;
   engine::add_commands(commands, run_none);
@@ -71,7 +86,7 @@ int run(int argc, char** argv) {
 
   try {
     schema.load(line.file);
-    engine::finish_config(config);
+    engine::finish_config(config, schema);
     wire::check_security(config.security);
     spdlog::set_level(spdlog::level::from_str(config.log_level));
   } catch (const std::exception& e) {
@@ -80,22 +95,22 @@ int run(int argc, char** argv) {
   }
 
   if (!config.replay.file.empty()) return replay(config, line.check_config);
-  std::optional<engine::Simulation> simulation;
+  std::unique_ptr<engine::SimulatedEngine> simulated;
   try {
-    simulation.emplace(config.scenario);
+    simulated = make_engine(config);
   } catch (const std::exception& e) {
-    std::cerr << "engine_sim: 'demand', 'flight' or 'wear': " << e.what() << '\n';
+    std::cerr << "engine_sim: " << e.what() << '\n';
     return service::exit_usage;
   }
   if (line.check_config) {
-    std::cout << "configuration is valid; fan speed demand " << simulation->nominal().speeds.n1_rpm << " rpm\n";
+    std::cout << "configuration is valid; the engine " << simulated->start_text() << '\n';
     return service::exit_ok;
   }
 
   try {
     const service::StopSignal stop;
     const service::StopDeadline deadline;
-    engine::run(config, *simulation, stop);
+    engine::run(config, *simulated, stop);
     service::StopDeadline::in_order();
     return service::exit_ok;
   } catch (const std::exception& e) {

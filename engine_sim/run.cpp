@@ -47,7 +47,7 @@ class SourceClock {
 /// The simulator's place in DDS: made anew when the process was held up for so long that others have dropped it.
 class Link {
  public:
-  Link(const SimConfig& config, Simulation& simulation) : config_(config), simulation_(simulation) { join(); }
+  Link(const SimConfig& config, SimulatedEngine& engine) : config_(config), engine_(engine) { join(); }
 
   /// To be called at least once a second; true if the link is a new one, and as many listen to it as before, or two
   /// seconds are over.
@@ -71,7 +71,7 @@ class Link {
   }
   SimPublisher& publisher() { return ends_->publisher; }
   /// Carries out what operators have ordered meanwhile.
-  void obey() { ends_->commands.serve(simulation_); }
+  void obey() { ends_->commands.serve(engine_); }
   /// Null in real time.
   Lockstep* lockstep() { return ends_->lockstep ? &*ends_->lockstep : nullptr; }
 
@@ -79,7 +79,8 @@ class Link {
   struct Ends {
     explicit Ends(const SimConfig& config)
         : participant(config, "engine_sim " + std::to_string(config.scenario.engine_id)),
-          publisher(participant, config.scenario),
+          publisher(participant, static_cast<std::uint32_t>(config.scenario.engine_id),
+                    static_cast<std::uint32_t>(config.scenario.source_id)),
           commands(participant, config.scenario) {
       if (config.rate_factor() == 0.0)
         lockstep.emplace(participant, static_cast<std::uint32_t>(config.scenario.engine_id),
@@ -93,39 +94,39 @@ class Link {
   void join() {
     ends_.reset();
     ends_.emplace(config_);
-    ends_->publisher.describe(simulation_);
+    ends_->publisher.describe(engine_.channels());
   }
 
   const SimConfig& config_;
-  Simulation& simulation_;
+  SimulatedEngine& engine_;
   std::optional<Ends> ends_;
 };
 
 }  // namespace
 
-void run(const SimConfig& config, Simulation& simulation, const service::StopSignal& stop) {
+void run(const SimConfig& config, SimulatedEngine& engine, const service::StopSignal& stop) {
   const Scenario& scenario = config.scenario;
+  const double sample_time_s = engine.channels().sample_time_s;
   const double rate = config.rate_factor();
   const auto engine_id = static_cast<std::uint32_t>(scenario.engine_id);
 
-  Link link(config, simulation);
+  Link link(config, engine);
   service::TurnCounter turns;
   const service::Watchdog watchdog({{&turns, "simulation"}});
   service::notify_ready();
   link.wait(config.wait_for_monitors, stop, turns);
 
-  spdlog::info("engine {} flies at {} m, Mach {}, fan speed {:.1f} rpm", engine_id, scenario.flight.altitude_m,
-               scenario.flight.mach, simulation.nominal().speeds.n1_rpm);
-  const SourceClock clock(rate == 1.0, scenario.sample_time_s);
-  Pacer pacer(rate > 0.0 ? scenario.sample_time_s / rate : scenario.sample_time_s);
+  spdlog::info("engine {} {}", engine_id, engine.start_text());
+  const SourceClock clock(rate == 1.0, sample_time_s);
+  Pacer pacer(rate > 0.0 ? sample_time_s / rate : sample_time_s);
   std::uint64_t sent = 0, refused = 0;
-  while (!stop.requested() && (scenario.duration_s <= 0.0 || simulation.time_s() < scenario.duration_s)) {
+  while (!stop.requested() && (scenario.duration_s <= 0.0 || engine.time_s() < scenario.duration_s)) {
     if (link.keep(stop)) pacer.restart();
     link.obey();
     if (link.lockstep() && !link.lockstep()->admit(sent, answer_limit))
       throw std::runtime_error("rate max: no monitor has answered for 10 s (EngineResiduals of engine " +
                                std::to_string(engine_id) + "); start a monitor on this domain and partition");
-    const SimSample sample = simulation.next();
+    const EngineSample sample = engine.next_sample();
     refused += link.publisher().publish(sample, clock.stamp(sample.sequence)) ? 0u : 1u;
     ++sent;
     turns.turned();

@@ -3,12 +3,12 @@
 
 #include "deploy/service/stop_signal.h"
 #include "engine_sim/scenario/scenario_file.h"
-#include "engine_sim/simulation.h"
+#include "engine_sim/simulated_engine.h"
 
 namespace ehm::engine {
 
-/// @throws wire::DdsError when DDS cannot be set up, SolveError when the engine cannot run as demanded,
+/// @throws wire::DdsError when DDS cannot be set up, FlightError when the engine cannot run as demanded,
 ///         std::runtime_error when under rate max the monitor stops answering.
-void run(const SimConfig& config, Simulation& simulation, const service::StopSignal& stop);
+void run(const SimConfig& config, SimulatedEngine& engine, const service::StopSignal& stop);
 
 }  // namespace ehm::engine

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/simulation_channels.h"
 
 namespace ehm::engine {
 
@@ -45,6 +46,12 @@ ControlledEngine started(const Turbofan& turbofan, const Scenario& scenario, con
   }
 }
 
+HealthVector health_at(const Deterioration& deterioration, double time_s) {
+  HealthVector health;
+  for (std::size_t i = 0; i < health_count; ++i) health[i] = deterioration.at(time_s, i);
+  return health;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario)
@@ -54,13 +61,11 @@ Simulation::Simulation(const Scenario& scenario)
       profile_({0.0, scenario.flight, {DemandKind::n1_rpm, nominal_.gas.speeds.n1_rpm}}, scenario.profile),
       deterioration_(scenario),
       fan_speed_(turbofan_, scenario.control),
-      engine_(started(turbofan_, scenario, {profile_.at(0.0).flight, deterioration_.at(0.0), scenario.offtake},
+      engine_(started(turbofan_, scenario, {profile_.at(0.0).flight, health_at(deterioration_, 0.0), scenario.offtake},
                       fan_speed_.n1_rpm(profile_.at(0.0).demand, profile_.at(0.0).flight))),
       sensors_(scenario.sensors, true_sensors(nominal_.gas), static_cast<std::uint64_t>(scenario.seed)),
-      pending_faults_(scenario.faults) {
-  std::sort(pending_faults_.begin(), pending_faults_.end(),
-            [](const auto& a, const auto& b) { return a.fault.start_s > b.fault.start_s; });
-}
+      channels_(channels_of(scenario, nominal_, sensors_)),
+      pending_faults_(scenario.faults) {}
 
 SimSample Simulation::next() {
   SimSample sample;
@@ -68,11 +73,8 @@ SimSample Simulation::next() {
   sample.time_s = time_s();
   const ProfilePoint now = profile_.at(sample.time_s);
   sample.flight = now.flight;
-  sample.health = deterioration_.at(sample.time_s);
-  while (!pending_faults_.empty() && pending_faults_.back().fault.start_s <= sample.time_s) {
-    sensors_.inject(pending_faults_.back().sensor, pending_faults_.back().fault);
-    pending_faults_.pop_back();
-  }
+  sample.health = health_at(deterioration_, sample.time_s);
+  for (const auto& [sensor, fault] : pending_faults_.due(sample.time_s)) inject(sensor, fault);
 
   const auto [actuation, geometry, gas] = step(now, sample.health);
   sample.actuation = actuation;
@@ -115,11 +117,11 @@ bool Simulation::survives(double seconds, Flight flight, Health health_at) const
 }
 
 bool Simulation::can_fly(const FlightCondition& flight) const {
-  return survives(1.0, flight, [now = health()](double) { return now; });
+  return survives(1.0, flight, [now = health_at(deterioration_, time_s())](double) { return now; });
 }
 
 bool Simulation::can_wear(std::size_t parameter, double target, double ramp_s) const {
-  const HealthVector now = health();
+  const HealthVector now = health_at(deterioration_, time_s());
   const double trial_ramp_s = std::min(ramp_s, 1.0);
   return survives(3.0, profile_.at(time_s()).flight, [&](double flown_s) {
     HealthVector h = now;

@@ -11,12 +11,14 @@
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 
 #include "engine_sim/control/controlled_engine.h"
 #include "engine_sim/control/fan_speed_demand.h"
 #include "engine_sim/scenario/deterioration.h"
+#include "engine_sim/scenario/fault_schedule.h"
 #include "engine_sim/scenario/flight_profile.h"
-#include "engine_sim/scenario/scenario.h"
+#include "engine_sim/simulated_engine.h"
 
 namespace ehm::engine {
 
@@ -36,34 +38,36 @@ class FlightError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-class Simulation {
+class Simulation : public SimulatedEngine {
  public:
   explicit Simulation(const Scenario& scenario);
 
   /// The next sample; the first is at t = 0 with the engine in balance.
   SimSample next();
 
-  double time_s() const { return static_cast<double>(sequence_) * scenario_.sample_time_s; }
+  const EngineChannels& channels() const override { return channels_; }
+  std::string start_text() const override;
+  /// The same as next(), channel by channel.
+  EngineSample next_sample() override;
+  double time_s() const override { return static_cast<double>(sequence_) * scenario_.sample_time_s; }
   /// New engine at the start of the flight: trim of the sensors' noise, and of the description.
   const GasPath& nominal() const { return nominal_.gas; }
-  const Geometry& nominal_geometry() const { return nominal_.operation.geometry; }
-  double noise_sigma(std::size_t sensor) const { return sensors_.noise_sigma(sensor); }
 
   /// `demand`: n1_rpm or net_thrust_n
-  void demand(const Demand& demand) { profile_.override_demand(demand); }
-  void fly(const FlightCondition& flight) { profile_.override_flight(flight); }
+  void demand(const Demand& demand) override { profile_.override_demand(demand); }
+  void fly(const FlightCondition& flight) override { profile_.override_flight(flight); }
   /// Moves a health parameter to `target` within ramp_s, from now on.
-  void order_health(std::size_t parameter, double target, double ramp_s) {
+  void order_health(std::size_t parameter, double target, double ramp_s) override {
     deterioration_.order(parameter, target, ramp_s, time_s());
   }
-  /// The most that a demand of net thrust can get where the engine flies now (fan_speed_demand.h).
-  double most_net_thrust_n() const;
+  double most_net_thrust_n() const override;
+  HealthRange health_range(std::size_t) const override { return {health_min, health_max}; }
+  double health_of(std::size_t parameter) const override { return deterioration_.at(time_s(), parameter); }
   /// Does the engine go on running for a second, if the flight condition jumps there now?
-  bool can_fly(const FlightCondition& flight) const;
+  bool can_fly(const FlightCondition& flight) const override;
   /// Does it go on running for three seconds, if a health parameter moves there within ramp_s (a second at most here)?
-  bool can_wear(std::size_t parameter, double target, double ramp_s) const;
-  HealthVector health() const { return deterioration_.at(time_s()); }
-  void inject(std::size_t sensor, const SensorFault& fault) { sensors_.inject(sensor, fault); }
+  bool can_wear(std::size_t parameter, double target, double ramp_s) const override;
+  void inject(std::size_t sensor, const SensorFault& fault) override { sensors_.inject(sensor, fault); }
 
  private:
   /// Flies a copy on for so long, under the flight condition and with the health of each moment from now.
@@ -79,7 +83,8 @@ class Simulation {
   FanSpeedDemand fan_speed_;
   ControlledEngine engine_;
   SensorSuite sensors_;
-  std::vector<ScheduledFault> pending_faults_;
+  EngineChannels channels_;
+  FaultSchedule pending_faults_;
   std::uint64_t sequence_ = 0;
 };
 

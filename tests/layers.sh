@@ -10,7 +10,7 @@ forbid() {
   shift 2
   local found
   for path in "$@"; do [ -e "$path" ] || { echo "layers: $path does not exist"; failures=$((failures + 1)); }; done
-  found=$(grep -rnE --include='*.h' --include='*.cpp' "#include [<\"]($pattern)" "$@")
+  found=$(grep -rnP --include='*.h' --include='*.cpp' "#include [<\"]($pattern)" "$@")
   if [ -n "$found" ]; then
     echo "layers: $why"
     echo "$found"
@@ -24,7 +24,10 @@ pure=(engine_sim/model engine_sim/control engine_sim/sensors monitor/estimation 
   monitor/monitor_cycle.h monitor/monitor_cycle.cpp monitor/cycle_faults.cpp deploy/units)
 
 forbid "physics and estimation know no DDS, clock, thread, log or file" "$outside" "${pure[@]}"
-forbid "the truth does not know the estimator" 'monitor/|tuner_design/' engine_sim
+mapfile -t truth < <(find engine_sim -mindepth 1 -maxdepth 1 ! -name linear)
+forbid "the truth does not know the estimator" 'monitor/|tuner_design/' "${truth[@]}"
+forbid "a user's own model is flown from its file, and nothing else of the monitor is known" \
+  'monitor/(?!design/model_file\.h|estimation/(discretise|linear_model|sensor_noise|stationary_covariance)\.h)|tuner_design/' engine_sim/linear
 forbid "the model knows nothing but itself" 'engine_sim/(control|sensors|scenario|dds)|deploy/|idl/' engine_sim/model
 forbid "estimation stands below everything" 'monitor/(checks|judge|dds|design|monitor_cycle|realtime)|engine_sim|tuner_design|idl/' monitor/estimation
 forbid "the monitor flies without the bench and without the simulator" 'tuner_design/|engine_sim/(control|sensors|scenario|dds|simulation)' monitor

@@ -10,11 +10,11 @@
 #include "monitor/design/json_object.h"
 #include "monitor/design/model_file.h"
 #include "monitor/design/model_json.h"
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/scaling.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/certificate_report.h"
 #include "tuner_design/choose_tuners.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/tuner_number.h"
 
 namespace ehm::bench {
@@ -71,8 +71,7 @@ CheckedFile check_file(const std::string& path, const ImportOptions& options) {
     const design::Design design = design::read_design(path);
     file.model = design.model;
     file.hash = design.hash;
-    file.slow_bias_detectability =
-        design::slow_bias_detectability(design.model, design.scaling, design.full);
+    file.slow_bias_detectability = design::slow_bias_detectability(design.model, design.scaling, design.full);
   }
   const LinearModel discrete = estimation::scaled(discretise(file.model), estimation::scaling_of(file.model));
   const estimation::SteadyGain steady = estimation::steady_gain(discrete);

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "tuner_design/discretise.h"
+#include "monitor/estimation/discretise.h"
 
 namespace ehm::bench {
 

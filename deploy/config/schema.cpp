@@ -56,25 +56,36 @@ void Schema::add(Entry entry) {
 
 void Schema::real(const std::string& key, double& value, double min, double max, const std::string& unit,
                   const std::string& description) {
-  add({key, unit, description, &value, min, max, {}, {}, {}, {}, false});
+  add({key, unit, description, &value, min, max, {}, {}, {}, {}, false, false});
 }
 
 void Schema::integer(const std::string& key, std::int64_t& value, std::int64_t min, std::int64_t max,
                      const std::string& unit, const std::string& description) {
-  add({key, unit, description, &value, static_cast<double>(min), static_cast<double>(max), {}, {}, {}, {}, false});
+  add({key,
+       unit,
+       description,
+       &value,
+       static_cast<double>(min),
+       static_cast<double>(max),
+       {},
+       {},
+       {},
+       {},
+       false,
+       false});
 }
 
 void Schema::text(const std::string& key, std::string& value, const std::string& description) {
-  add({key, "", description, &value, 0, 0, {}, {}, {}, {}, false});
+  add({key, "", description, &value, 0, 0, {}, {}, {}, {}, false, false});
 }
 
 void Schema::flag(const std::string& key, bool& value, const std::string& description) {
-  add({key, "", description, &value, 0, 0, {}, {}, {}, {}, false});
+  add({key, "", description, &value, 0, 0, {}, {}, {}, {}, false, false});
 }
 
 void Schema::choice(const std::string& key, std::string& value, const std::vector<std::string>& allowed,
                     const std::string& description) {
-  add({key, "", description, &value, 0, 0, allowed, {}, {}, {}, false});
+  add({key, "", description, &value, 0, 0, allowed, {}, {}, {}, false, false});
 }
 
 void Schema::alias(const std::string& key, const std::string& flag) {
@@ -107,13 +118,20 @@ void Schema::add_flags(CLI::App& app) {
 }
 
 void Schema::load(const std::string& file) {
-  if (!file.empty()) load_file(file);
+  const toml::table content = file.empty() ? toml::table() : parse_toml_file(file);
+  load_table(file, "", content);
   refuse_misspelt_environment();
   for (auto& entry : entries_)
     if (const char* text = std::getenv(environment_name(entry.key).c_str()))
       assign_text(entry, text, "environment variable " + environment_name(entry.key));
   for (auto& entry : entries_)
     if (entry.flag_given) assign_text(entry, entry.flag_text, "flag " + flag_name(entry.key));
+  parse_tables(file, content);
+}
+
+void Schema::parse_tables(const std::string& file, const toml::table& content) const {
+  for (const Tables& tables : tables_)
+    if (const auto node = content.at_path(tables.key)) tables.parse(file, *node.as_array());
 }
 
 /// A typing error in the name of EHM_DDS_SECURITY must not mean that the service flies without security. Names that are
@@ -130,10 +148,6 @@ void Schema::refuse_misspelt_environment() const {
   }
 }
 
-void Schema::load_file(const std::string& file) {
-  load_table(file, "", parse_toml_file(file));
-}
-
 void Schema::load_table(const std::string& file, const std::string& prefix, const toml::table& table) {
   for (const auto& [name, node] : table) {
     const std::string key = prefix + std::string(name.str());
@@ -147,7 +161,6 @@ void Schema::load_table(const std::string& file, const std::string& prefix, cons
     if (tables != tables_.end()) {
       if (!node.is_array_of_tables())
         throw ConfigError(origin + ": '" + key + "' must be tables, written [[" + key + "]]");
-      tables->parse(file, *node.as_array());
       continue;
     }
     const std::string section = key + ".";
@@ -172,6 +185,7 @@ void Schema::check(const Entry& entry, double number, const std::string& origin)
 }
 
 void Schema::assign(Entry& entry, const toml::node& node, const std::string& origin) {
+  entry.given = true;
   const auto wrong_type = [&] {
     return ConfigError(origin + ": '" + entry.key + "' has the wrong type, allowed is " + entry.allowed_text());
   };
@@ -194,6 +208,7 @@ void Schema::assign(Entry& entry, const toml::node& node, const std::string& ori
 }
 
 void Schema::assign_text(Entry& entry, const std::string& text, const std::string& origin) {
+  entry.given = true;
   const auto wrong = [&] {
     return ConfigError(origin + ": '" + entry.key + "' is '" + text + "', allowed is " + entry.allowed_text());
   };
@@ -235,6 +250,13 @@ std::map<std::string, std::string> Schema::values() const {
   std::map<std::string, std::string> values;
   for (const Entry& entry : entries_) values[entry.key] = entry.value_text();
   return values;
+}
+
+std::vector<std::string> Schema::given() const {
+  std::vector<std::string> keys;
+  for (const Entry& entry : entries_)
+    if (entry.given) keys.push_back(entry.key);
+  return keys;
 }
 
 std::string Schema::reference() const {

@@ -36,7 +36,8 @@ class Schema {
               const std::string& description);
   /// A short flag that means the same as the key's own, such as "--record" for record.file.
   void alias(const std::string& key, const std::string& flag);
-  /// A structured section (array of tables) that the program parses itself, see table_reader.h.
+  /// A structured section (array of tables) that the program parses itself, see table_reader.h; after all keys, on
+  /// whose values it may depend.
   void tables(const std::string& key, const std::string& description,
               const std::function<void(const std::string& file, const toml::array&)>& parse);
 
@@ -44,6 +45,8 @@ class Schema {
   void add_flags(CLI::App& app);
   /// Default, file (skipped if empty), environment, flags, in this order.
   void load(const std::string& file);
+  /// Keys that load() has found anywhere, tables apart.
+  std::vector<std::string> given() const;
   static constexpr const char* flag_group = "Configuration";  ///< of the options that add_flags() makes
 
   struct KeyText {
@@ -68,6 +71,7 @@ class Schema {
     std::string alias;
     std::string flag_text;  // as given on the command line
     bool flag_given = false;
+    bool given = false;
     std::string allowed_text() const;
     std::string value_text() const;
   };
@@ -78,7 +82,7 @@ class Schema {
 
   void add(Entry entry);
   void refuse_misspelt_environment() const;
-  void load_file(const std::string& file);
+  void parse_tables(const std::string& file, const toml::table& content) const;
   void load_table(const std::string& file, const std::string& prefix, const toml::table& table);
   static void assign(Entry& entry, const toml::node& node, const std::string& origin);
   static void assign_text(Entry& entry, const std::string& text, const std::string& origin);

@@ -1,4 +1,5 @@
-// ehm_watch: shows one engine's truth beside the monitor's estimates, live, and judges the run at its end.
+// ehm_watch: shows the monitor's estimates of one engine, beside their truth where its source tells it, live, and judges
+// the run at its end.
 
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 #include "deploy/client/client_options.h"
 #include "deploy/config/man_page.h"
 #include "deploy/config/usage_answer.h"
+#include "deploy/demo/terminal_width.h"
 #include "deploy/demo/watch_csv.h"
 #include "deploy/demo/watch_output.h"
 #include "deploy/service/exit_code.h"
@@ -66,6 +68,7 @@ class Ears {
     take(health_, data, on_estimate);
     take(status_, data);
     take(events_, data);
+    take(truth_, data);  // of the estimate that came last: it was sent before it
   }
   /// Nobody sends to us any more: stopped (Ctrl-Z) or suspended for so long that we were dropped.
   bool deaf() { return participant_.held_up_s() > 0.0; }
@@ -76,7 +79,10 @@ class Ears {
     T sample;
     while (reader.take(sample)) {
       if (sample.engine_id() != engine_) continue;
-      data.hear(sample);
+      if constexpr (requires { data.hear(sample, reader.participant()); })
+        data.hear(sample, reader.participant());
+      else
+        data.hear(sample);
       if (then) then();
     }
   }
@@ -94,12 +100,13 @@ class Ears {
 
 constexpr double overtime_s = 2.0;
 
-/// Over when the time has passed and the monitor has accounted for the last sample of a simulator that ended then; if
-/// the flight goes on, when that is plain.
+/// Over when the time has passed and the source has ended then, and the monitor has accounted for its last sample if
+/// truth tells which that is; if the flight goes on, when that is plain.
 bool over(const demo::WatchData& data, const Options& options) {
   if (options.seconds > 0.0 && data.flight_time_s() > options.seconds + overtime_s) return true;
-  return options.seconds > 0.0 && data.flight_time_s() > options.seconds - 0.1 && data.accounted() &&
-         data.received() > 0 && data.status()->level() >= static_cast<std::uint32_t>(wire::StatusLevel::stale);
+  return options.seconds > 0.0 && data.flight_time_s() > options.seconds - 0.1 &&
+         (data.accounted() || data.published() == 0) && data.received() > 0 &&
+         data.status()->level() >= static_cast<std::uint32_t>(wire::StatusLevel::stale);
 }
 
 void watch(demo::WatchData& data, const Options& options) {
@@ -115,6 +122,7 @@ void watch(demo::WatchData& data, const Options& options) {
     if (csv) csv->write(data);
   };
   if (terminal) std::cout << "\033[2J";
+  bool told = false;
   while (!stop.requested() && !over(data, options)) {
     if (options.seconds > 0.0 && Clock::now() > deadline) return;
     if (ears->deaf()) {
@@ -122,33 +130,56 @@ void watch(demo::WatchData& data, const Options& options) {
       ears = std::make_unique<Ears>(options);
     }
     ears->listen(data, 0.05, on_estimate);
+    if (const std::string what = demo::ignored_truth(data, options.engine); !told && !what.empty()) {
+      std::cerr << "ehm_watch: " << what << '\n';
+      told = true;
+    }
     if (Clock::now() < next || options.json) continue;
     next = Clock::now() + period;
-    if (terminal || data.estimates() > 0) std::cout << (terminal ? demo::table(data) : demo::line(data)) << std::flush;
+    const int columns = demo::terminal_width(STDOUT_FILENO);
+    if (terminal || data.status() || data.estimates() > 0)
+      std::cout << (terminal ? demo::table(data, columns) : demo::line(data, columns)) << std::flush;
   }
 }
 
-int run(int argc, char** argv) {
-  Options options;
-  CLI::App app{"Shows true and estimated health of one engine, live.", "ehm_watch"};
+void declare(CLI::App& app, Options& options) {
   app.footer(service::exit_code_help);
   client::add_client_options(app, options.client);
   app.add_flag("--redundant", options.redundant, "ask for exclusive ownership, as monitors with a standby offer it");
   app.add_option("--engine", options.engine, "engine_id to show")
       ->check(CLI::Range(1u, 4294967295u))
       ->capture_default_str();
-  app.add_option("--seconds", options.seconds,
-                 "judge the run after so much flight, at its end: 1 is returned when a "
-                 "sample was lost or an estimate is outside 3 published sigmas; 0 watches "
-                 "until Ctrl-C")
+  app.add_option(
+         "--seconds", options.seconds,
+         "judge the run after so much flight, at its end: 1 is returned when a sample was lost or withheld, the "
+         "monitor said ERROR, or an estimate is outside 3 published sigmas of its truth, where the engine's own "
+         "source publishes that (else accuracy is not judged); 0 watches until Ctrl-C")
       ->check(CLI::Range(0.0, 1e9));
   app.add_option("--timeout", options.timeout_s, "seconds beyond that after which it gives up")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
   app.add_flag("--json", options.json, "print nothing but the summary, as one JSON object");
-  app.add_option("--csv", options.csv, "write every estimate beside its truth to this file");
+  app.add_option("--csv", options.csv, "write every estimate, beside its truth where there is one, to this file");
   app.set_version_flag("--version", std::string("ehm_watch " EHM_VERSION));
   config::add_man_flag(app, {.app = &app});
+}
+
+/// What the run was worth, on standard output and error; returns the exit code.
+int judge(const demo::WatchData& data, const Options& options) {
+  std::cout << (options.json ? demo::json(data) : demo::summary(data, demo::terminal_width(STDOUT_FILENO)));
+  if (options.seconds <= 0.0) return service::exit_ok;
+  std::string verdict = over(data, options) ? "" : "the flight did not come to its end";
+  if (const std::string why = demo::verdict(data, 3.0); !why.empty()) verdict += (verdict.empty() ? "" : "; ") + why;
+  if (verdict.empty()) return service::exit_ok;
+  std::cerr << "ehm_watch: " << verdict << '\n';
+  return service::exit_failed;
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Shows the estimates of one engine, beside their truth where its own source publishes it, live.",
+               "ehm_watch"};
+  declare(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -165,12 +196,7 @@ int run(int argc, char** argv) {
   try {
     demo::WatchData data;
     watch(data, options);
-    std::cout << (options.json ? demo::json(data) : demo::summary(data));
-    if (options.seconds <= 0.0) return service::exit_ok;
-    const std::string verdict = over(data, options) ? demo::verdict(data, 3.0) : "the flight did not come to its end";
-    if (verdict.empty()) return service::exit_ok;
-    std::cerr << "ehm_watch: " << verdict << '\n';
-    return service::exit_failed;
+    return judge(data, options);
   } catch (const std::exception& e) {
     std::cerr << "ehm_watch: " << e.what() << '\n';
     return service::exit_failed;

@@ -22,7 +22,8 @@ void WatchCsv::write(const WatchData& data) {
     has_header_ = true;
   }
   file_ << fmt::format("{:.3f}", data.flight_time_s());
-  for (const auto& row : rows) file_ << fmt::format(",{},{},{}", row.truth, row.estimate, row.sigma);
+  for (const auto& row : rows)
+    file_ << fmt::format(",{},{},{}", row.truth ? fmt::format("{}", *row.truth) : "", row.estimate, row.sigma);
   file_ << '\n';
 }
 

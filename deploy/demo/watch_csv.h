@@ -1,6 +1,6 @@
 #pragma once
 // Every estimate beside its truth as CSV, for plots: time_s, then <name>_truth, <name>_estimate, <name>_sigma by
-// channel.
+// channel; the truth is empty where there is none.
 
 #include <fstream>
 #include <string>
@@ -13,7 +13,7 @@ class WatchCsv {
  public:
   /// @throws std::runtime_error if the file cannot be created.
   explicit WatchCsv(const std::string& path);
-  /// Appends the latest estimate; nothing until truth and description are known.
+  /// Appends the latest estimate; nothing until its description is known.
   void write(const WatchData& data);
 
  private:

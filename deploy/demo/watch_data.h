@@ -1,8 +1,7 @@
 #pragma once
-// What ehm_watch has heard on the wire about one engine: latest values, truth and estimate paired by sequence number,
-// and the counts of its summary.
+// What ehm_watch has heard on the wire about one engine: latest values, truth and estimate paired by sample, and the
+// counts of its summary. Without truth, as on hardware, the estimates stand alone.
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -10,20 +9,21 @@
 #include <string>
 #include <vector>
 
+#include "deploy/demo/truth_sources.h"
 #include "engine_health.h"
-#include "monitor/realtime/latency_histogram.h"
 
 namespace ehm::demo {
 
 struct Row {
   std::string name, unit;
-  double truth = 0.0, estimate = 0.0, sigma = 0.0;
-  /// |estimate - truth| in sigmas; infinite where that is no number.
-  double deviation() const;
+  std::optional<double> truth;
+  double estimate = 0.0, sigma = 0.0;
+  /// |estimate - truth| in sigmas; infinite where that is no number, nothing without truth.
+  std::optional<double> deviation() const;
 };
 
 struct EventLine {
-  double time_s = 0.0;  ///< since the first sample
+  double time_s = 0.0;  ///< since the first estimate
   bool raised = false;
   std::uint32_t kind = 0;
   std::string channel, message;
@@ -32,49 +32,63 @@ struct EventLine {
 
 class WatchData {
  public:
-  void hear(const EngineTruth& truth);
+  /// `participant`: of the writer, Reader::participant.
+  void hear(const EngineTruth& truth, std::uint64_t participant) { truth_.hear(truth, participant); }
+  void hear(const EngineDescription& description, std::uint64_t participant);
   void hear(const EngineHealth& health);
-  void hear(const EngineAuxiliary& auxiliary);
-  void hear(const EngineDescription& description);
+  void hear(const EngineAuxiliary& auxiliary) { auxiliary_ = auxiliary; }
   void hear(const MonitorStatus& status);
   void hear(const HealthEvent& event);
 
-  /// Truth beside the latest estimate; empty until both and their description are there.
+  /// The latest estimate, beside its truth if that was heard; empty until both it and its description are there.
   std::vector<Row> health() const;
   std::vector<Row> auxiliary() const;
+  /// Names of the sensors in the design that flies, and of those that are left out of it.
+  std::vector<std::string> sensors(bool used) const;
+  /// Names of the flags that the latest estimate bears.
+  std::vector<std::string> flags() const;
   /// The latest ones, `most_events` at most: a watch may run for weeks beside a sensor that chatters.
   const std::deque<EventLine>& events() const { return events_; }
   static constexpr std::size_t most_events = 1000;
   /// Earlier ones that were let go.
   std::uint64_t events_dropped() const { return events_dropped_; }
-  const std::optional<MonitorStatus>& status() const { return status_; }
-  const monitor::LatencyHistogram& latency() const { return latency_; }
+  /// Of the monitor whose estimates are shown, or of any while there are none; nullptr before the first.
+  const MonitorStatus* status() const;
+  const TruthSources& truth() const { return truth_; }
 
   /// Time of the flight that the latest estimate belongs to.
   double flight_time_s() const;
   std::uint64_t estimates() const { return estimates_; }
-  /// Samples that the simulator sent, by the number of the last one.
-  std::uint64_t published() const { return last_truth_ ? last_truth_->sequence_number() + 1 : 0; }
-  std::uint64_t received() const { return status_ ? status_->samples_received() : 0; }
+  /// Samples that the source sent, by the number of its last truth; 0 where there is no truth.
+  std::uint64_t published() const { return truth_.last() ? truth_.last()->sequence_number() + 1 : 0; }
+  std::uint64_t received() const { return status() ? status()->samples_received() : 0; }
   /// The monitor has accounted for the last sample that was sent.
-  bool accounted() const { return status_ && status_->last_sequence() + 1 == published(); }
-  /// What the monitor counted, and once it has accounted for all, what never reached it at the start or the end.
+  bool accounted() const { return status() && published() > 0 && status()->last_sequence() + 1 == published(); }
+  /// What the monitor counted meanwhile; once it has accounted for all that was sent, also what never reached it.
   std::uint64_t lost() const;
+  /// Samples that came meanwhile, and of which no honest estimate was possible.
+  std::uint64_t withheld() const;
+  /// Has the monitor said ERROR meanwhile?
+  bool error_said() const { return watched() && watched()->error_said; }
 
  private:
-  const EngineTruth* truth_of(std::uint64_t sequence) const;
+  /// One monitor; what it counted before we listened is not ours to judge.
+  struct Watched {
+    MonitorStatus first, last;
+    bool error_said = false;
+  };
+  const Watched* watched() const;
 
-  // Truth waits here for its estimate: a second of samples, by sequence number modulo the size.
-  std::array<std::optional<EngineTruth>, 64> recent_truth_;
-  std::optional<EngineTruth> last_truth_;
+  TruthSources truth_;
   std::optional<EngineHealth> health_;
   std::optional<EngineAuxiliary> auxiliary_;
   std::optional<EngineDescription> description_;
-  std::optional<MonitorStatus> status_;
+  std::map<std::uint32_t, Watched> monitors_;  ///< by source_id
+  std::uint32_t last_monitor_ = 0;
   std::optional<std::int64_t> first_time_ns_;
+  std::uint64_t first_sequence_ = 0;
   std::deque<EventLine> events_;
   std::uint64_t events_dropped_ = 0;
-  monitor::LatencyHistogram latency_;
   std::uint64_t estimates_ = 0;
 };
 

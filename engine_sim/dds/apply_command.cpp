@@ -25,7 +25,7 @@ void require(const std::string& field, double value, double min, double max) {
     throw Refusal(fmt::format("{} is {}, allowed is {} to {}", field, value, min, max));
 }
 
-void set_thrust(const SimCommand& c, Simulation& s) {
+void set_thrust(const SimCommand& c, SimulatedEngine& s) {
   const double net_thrust_n = c.value()[0];
   require("value[0] (net_thrust_n)", net_thrust_n, 0, 1e6);
   if (const double most_n = s.most_net_thrust_n(); net_thrust_n > most_n)
@@ -35,7 +35,7 @@ void set_thrust(const SimCommand& c, Simulation& s) {
   s.demand({DemandKind::net_thrust_n, net_thrust_n});
 }
 
-void set_flight(const SimCommand& c, Simulation& s) {
+void set_flight(const SimCommand& c, SimulatedEngine& s) {
   require("value[0] (altitude_m)", c.value()[0], -500, 15000);
   require("value[1] (mach)", c.value()[1], 0, 0.95);
   require("value[2] (delta_isa_k)", c.value()[2], -60, 60);
@@ -45,12 +45,14 @@ void set_flight(const SimCommand& c, Simulation& s) {
   s.fly(flight);
 }
 
-void change_health(const SimCommand& c, Simulation& s, bool relative) {
-  require("channel (health parameter)", c.channel(), 0, health_count - 1);
+void change_health(const SimCommand& c, SimulatedEngine& s, bool relative) {
+  const auto& parameters = s.channels().health;
+  require("channel (health parameter)", c.channel(), 0, static_cast<double>(parameters.size()) - 1);
   require("value[1] (ramp_s)", c.value()[1], 0, 1e9);
-  const double target = relative ? s.health()[c.channel()] + c.value()[0] : c.value()[0];
-  const std::string name(health_names[c.channel()]);
-  require(name + " after the command", target, -0.30, 0.10);
+  const double target = relative ? s.health_of(c.channel()) + c.value()[0] : c.value()[0];
+  const std::string& name = parameters[c.channel()].name;
+  const HealthRange range = s.health_range(c.channel());
+  require(name + " after the command", target, range.least, range.most);
   if (!s.can_wear(c.channel(), target, c.value()[1]))
     throw Refusal(
         fmt::format("the engine does not survive {} of {} at its present power; change the demand first, or "
@@ -59,8 +61,8 @@ void change_health(const SimCommand& c, Simulation& s, bool relative) {
   s.order_health(c.channel(), target, c.value()[1]);
 }
 
-void inject_fault(const SimCommand& c, Simulation& s) {
-  require("channel (sensor)", c.channel(), 0, sensor_count - 1);
+void inject_fault(const SimCommand& c, SimulatedEngine& s) {
+  require("channel (sensor)", c.channel(), 0, static_cast<double>(s.channels().sensors.size()) - 1);
   require("fault", c.fault(), 0, static_cast<double>(wire::SensorFaultKind::noise));
   const auto kind = static_cast<FaultKind>(c.fault());
   require("value[0] (magnitude)", c.value()[0], kind == FaultKind::noise ? 0 : -1e9, 1e9);
@@ -68,7 +70,7 @@ void inject_fault(const SimCommand& c, Simulation& s) {
   s.inject(c.channel(), {kind, c.value()[0], s.time_s(), c.value()[1]});
 }
 
-void carry_out(const SimCommand& c, Simulation& s) {
+void carry_out(const SimCommand& c, SimulatedEngine& s) {
   require("schema", c.schema(), wire::schema_version, wire::schema_version);
   switch (static_cast<SimCommandKind>(c.kind())) {
     case SimCommandKind::set_demand:
@@ -85,28 +87,32 @@ void carry_out(const SimCommand& c, Simulation& s) {
     case SimCommandKind::sensor_fault:
       return inject_fault(c, s);
     case SimCommandKind::clear_faults:
-      for (std::size_t i = 0; i < sensor_count; ++i) s.inject(i, {});
+      for (std::size_t i = 0; i < s.channels().sensors.size(); ++i) s.inject(i, {});
       return;
   }
   throw Refusal(fmt::format("kind is {}, allowed is 1 to 7 (idl/wire_values.h)", c.kind()));
 }
 
 /// The channel of a command that was carried out.
-wire::OrderedChannel channel_of(const SimCommand& c) {
+wire::OrderedChannel channel_of(const SimCommand& c, const EngineChannels& channels) {
+  const EngineChannel* channel = nullptr;
   switch (static_cast<SimCommandKind>(c.kind())) {
     case SimCommandKind::set_health:
     case SimCommandKind::add_health:
-      return {std::string(health_names[c.channel()]), "fraction"};
+      channel = &channels.health[c.channel()];
+      break;
     case SimCommandKind::sensor_fault:
-      return {std::string(sensor_names[c.channel()].name), std::string(sensor_names[c.channel()].unit)};
+      channel = &channels.sensors[c.channel()];
+      break;
     default:
       return {};
   }
+  return {channel->name, channel->unit};
 }
 
 }  // namespace
 
-CommandReply apply(const SimCommand& command, Simulation& simulation) {
+CommandReply apply(const SimCommand& command, SimulatedEngine& engine) {
   CommandReply reply;
   reply.engine_id(command.engine_id());
   reply.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
@@ -115,10 +121,10 @@ CommandReply apply(const SimCommand& command, Simulation& simulation) {
   reply.kind(command.kind());
   std::string text;
   try {
-    carry_out(command, simulation);
+    carry_out(command, engine);
     reply.accepted(1);
-    text = fmt::format("{}, from {:.3f} s of the flight on", wire::order_text(command, channel_of(command)),
-                       simulation.time_s());
+    text = fmt::format("{}, from {:.3f} s of the flight on",
+                       wire::order_text(command, channel_of(command, engine.channels())), engine.time_s());
   } catch (const std::exception& e) {  // also of the model: no command ends the flight
     text = e.what();
   }

@@ -3,12 +3,12 @@
 // of it as the one text that is both logged and answered.
 
 #include "engine_health.h"
-#include "engine_sim/simulation.h"
+#include "engine_sim/simulated_engine.h"
 
 namespace ehm::engine {
 
-/// Carries the command out at the simulation's present time. Its answer: engine_id, role, request and kind of the
+/// Carries the command out at the engine's present time. Its answer: engine_id, role, request and kind of the
 /// command, accepted, and what was done or which field, value and allowed range refuse it, with nothing changed.
-CommandReply apply(const SimCommand& command, Simulation& simulation);
+CommandReply apply(const SimCommand& command, SimulatedEngine& engine);
 
 }  // namespace ehm::engine

@@ -6,11 +6,11 @@
 
 namespace ehm::engine {
 
-void CommandDesk::serve(Simulation& simulation) {
+void CommandDesk::serve(SimulatedEngine& engine) {
   SimCommand command;
   while (commands_.take(command)) {
     if (command.engine_id() != engine_id_) continue;
-    CommandReply reply = apply(command, simulation);
+    CommandReply reply = apply(command, engine);
     spdlog::info("command {}: {}", reply.accepted() != 0 ? "done" : "refused", reply.message().c_str());
     if (command.request() == 0) continue;
     reply.source_id(source_id_);

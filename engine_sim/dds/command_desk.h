@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine_sim/scenario/scenario.h"
-#include "engine_sim/simulation.h"
+#include "engine_sim/simulated_engine.h"
 #include "idl/dds/endpoint.h"
 
 namespace ehm::engine {
@@ -18,7 +18,7 @@ class CommandDesk {
         source_id_(static_cast<std::uint32_t>(scenario.source_id)) {}
 
   /// Applies and answers what has arrived for this engine.
-  void serve(Simulation& simulation);
+  void serve(SimulatedEngine& engine);
 
  private:
   wire::Reader<SimCommand> commands_;

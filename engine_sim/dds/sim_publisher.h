@@ -1,27 +1,25 @@
 #pragma once
 // What the simulator puts on the wire: sensors, truth, and the description of its channels.
 
-#include "engine_sim/scenario/scenario.h"
-#include "engine_sim/simulation.h"
+#include "engine_sim/simulated_engine.h"
 #include "idl/dds/endpoint.h"
 
 namespace ehm::engine {
 
 class SimPublisher {
  public:
-  SimPublisher(wire::Participant& participant, const Scenario& scenario);
+  SimPublisher(wire::Participant& participant, std::uint32_t engine_id, std::uint32_t source_id);
 
   /// Names, units, trim and noise of the channels; once, late joiners get it too.
-  void describe(const Simulation& simulation);
+  void describe(const EngineChannels& channels);
   /// `source_time_ns` stamps the sample; false when the middleware refused it.
-  bool publish(const SimSample& sample, std::int64_t source_time_ns);
+  bool publish(const EngineSample& sample, std::int64_t source_time_ns);
 
   int monitors() const { return sensors_.matched(); }
   /// Waits until what was sent has arrived; false after the time limit.
   bool drain(double seconds) { return sensors_.drain(seconds) && truth_.drain(seconds); }
 
  private:
-  Scenario scenario_;
   wire::Writer<EngineSensors> sensors_;
   wire::Writer<EngineTruth> truth_;
   wire::Writer<EngineDescription> description_;

@@ -1,9 +1,8 @@
 #pragma once
 // Health of the engine over time: initial wear, steady drift, and changes that a schedule or an operator brings.
 //
-//   h_i(t) = initial_i + drift_i t + sum over changes c of i: c.change * clamp((t - c.time_s) / c.ramp_s, 0, 1)
+//   h_i(t) = initial_i + drift_i t + what the changes of i have added by t (sum_of in scenario.h)
 
-#include <array>
 #include <vector>
 
 #include "engine_sim/scenario/scenario.h"
@@ -17,11 +16,13 @@ class Deterioration {
   /// An operator's order: from now on the parameter moves to `target` within ramp_s, whatever was on its way; its drift
   /// and what is scheduled for later go on.
   void order(std::size_t parameter, double target, double ramp_s, double now_s);
-  HealthVector at(double time_s) const;
+  double at(double time_s, std::size_t parameter) const;
+  /// All of them.
+  std::vector<double> at(double time_s) const;
 
  private:
-  std::array<Wear, health_count> wear_;
-  std::vector<HealthChange> changes_;
+  std::vector<Wear> wear_;
+  std::vector<PlannedChange> changes_;
 };
 
 }  // namespace ehm::engine

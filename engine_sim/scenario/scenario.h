@@ -2,6 +2,7 @@
 // What one simulated flight is: condition and demand over time, wear, faults, sensors, seed. Plain data in SI units;
 // scenario_file.h reads it from TOML.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -27,13 +28,25 @@ struct Wear {
   double drift_per_s = 0.0;
 };
 
-/// A change of one health parameter that begins at time_s and takes ramp_s (0: at once).
-struct HealthChange {
+/// Between which a scenario or an order may bring a health parameter, as a fraction of nominal.
+inline constexpr double health_min = -0.30, health_max = 0.10;
+
+/// A change of one channel, a health parameter or a control, that begins at time_s and takes ramp_s (0: at once).
+struct PlannedChange {
   double time_s = 0.0;
-  std::size_t parameter = 0;
+  std::size_t channel = 0;
   double change = 0.0;
   double ramp_s = 0.0;
 };
+
+/// What the changes of one channel have added by then: sum of change * clamp((t - time_s) / ramp_s, 0, 1).
+inline double sum_of(const std::vector<PlannedChange>& changes, std::size_t channel, double t_s) {
+  double sum = 0.0;
+  for (const PlannedChange& c : changes)
+    if (c.channel == channel && t_s >= c.time_s)
+      sum += c.change * (c.ramp_s > 0.0 ? std::min(1.0, (t_s - c.time_s) / c.ramp_s) : 1.0);
+  return sum;
+}
 
 struct ScheduledFault {
   std::size_t sensor = 0;
@@ -56,8 +69,9 @@ struct Scenario {
   Demand demand{DemandKind::t40_k, 1308.6};
   std::vector<ProfilePoint> profile;  ///< empty: the start is held
 
-  std::array<Wear, health_count> wear{};
-  std::vector<HealthChange> health_changes;
+  std::vector<Wear> wear = std::vector<Wear>(health_count);  ///< by health parameter
+  std::vector<PlannedChange> health_changes;
+  std::vector<PlannedChange> control_changes;  ///< of a linear model's controls
   std::vector<ScheduledFault> faults;
   SensorSuiteOptions sensors;
   ControlData control = jt9d_control();

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "deploy/config/table_reader.h"
+#include "engine_sim/linear/linear_model_file.h"
+#include "engine_sim/linear/linear_scenario.h"
 #include "idl/fault_names.h"
 
 namespace ehm::engine {
@@ -16,7 +18,6 @@ using config::TableReader;
 namespace {
 
 constexpr double far_future_s = 1e9;
-constexpr double health_min = -0.30, health_max = 0.10;
 
 template <class Names>
 std::vector<std::string> list_of(const Names& names) {
@@ -30,8 +31,29 @@ std::vector<std::string> list_of(const Names& names) {
   return list;
 }
 
-std::size_t index_in(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+/// What the tables call the channels of the engine that flies.
+struct Names {
+  std::vector<std::string> health, sensors, controls;
+  std::vector<double> health_unit;  ///< one, in the parameter's unit
+};
+
+/// Reads the linear model, if one flies, at the first call.
+Names names_of(SimConfig& c) {
+  if (c.linear_model.empty())
+    return {list_of(health_names), list_of(sensor_names), {}, std::vector<double>(health_count, 1.0)};
+  if (!c.linear) {
+    c.linear = read_linear_model(c.linear_model);
+    c.scenario.wear.clear();
+    for (const auto& parameter : c.linear->health) c.scenario.wear.push_back({.initial = parameter.trim});
+  }
+  Names names{list_of(c.linear->health), list_of(c.linear->sensors), list_of(c.linear->controls), {}};
+  for (const auto& parameter : c.linear->health) names.health_unit.push_back(unit_of_health(parameter));
+  return names;
+}
+
+/// Which of `names` the key names.
+std::size_t index_of(TableReader& t, const std::string& key, const std::vector<std::string>& names) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), t.choice(key, names)) - names.begin());
 }
 
 void for_each_table(const std::string& file, const std::string& name, const toml::array& array,
@@ -48,10 +70,7 @@ Demand profile_demand(TableReader& t) {
   return {DemandKind::net_thrust_n, t.real("net_thrust_n", 0, 1e6)};
 }
 
-void declare_tables(Schema& schema, Scenario& s) {
-  static const auto health = list_of(health_names);
-  static const auto sensors = list_of(sensor_names);
-  static const std::vector<std::string> kinds(wire::sensor_fault_names.begin() + 1, wire::sensor_fault_names.end());
+void declare_profile(Schema& schema, Scenario& s) {
   schema.tables("profile",
                 "flight and demand over time: time_s, n1_rpm or net_thrust_n (one of them throughout), and optionally "
                 "altitude_m, mach, delta_isa_k",
@@ -65,35 +84,67 @@ void declare_tables(Schema& schema, Scenario& s) {
                                          profile_demand(t)});
                   });
                 });
+}
+
+void declare_health(Schema& schema, SimConfig& c) {
   schema.tables("wear",
-                "wear at the start and its drift: parameter, initial, drift_per_hour (fractions, negative is lost)",
-                [&s](const std::string& file, const toml::array& array) {
+                "wear at the start and its drift: parameter, initial, drift_per_hour (fractions, or in the linear "
+                "model's unit; negative is lost)",
+                [&c](const std::string& file, const toml::array& array) {
+                  const Names names = names_of(c);
                   for_each_table(file, "wear", array, [&](TableReader& t) {
-                    Wear& wear = s.wear[index_in(health, t.choice("parameter", health))];
-                    wear.initial = t.real_or("initial", 0.0, health_min, health_max);
-                    wear.drift_per_s = t.real_or("drift_per_hour", 0.0, -10, 10) / 3600.0;
+                    const std::size_t parameter = index_of(t, "parameter", names.health);
+                    const double unit = names.health_unit[parameter];
+                    Wear& wear = c.scenario.wear[parameter];
+                    wear.initial = t.real_or("initial", wear.initial, health_min * unit, health_max * unit);
+                    wear.drift_per_s = t.real_or("drift_per_hour", 0.0, -10 * unit, 10 * unit) / 3600.0;
                   });
                 });
   schema.tables("health_change", "a change of health in flight: time_s, parameter, change, ramp_s",
-                [&s](const std::string& file, const toml::array& array) {
+                [&c](const std::string& file, const toml::array& array) {
+                  const Names names = names_of(c);
                   for_each_table(file, "health_change", array, [&](TableReader& t) {
-                    s.health_changes.push_back(
-                        {t.real("time_s", 0, far_future_s), index_in(health, t.choice("parameter", health)),
-                         t.real("change", health_min, health_max), t.real_or("ramp_s", 0.0, 0, far_future_s)});
+                    const double time_s = t.real("time_s", 0, far_future_s);
+                    const std::size_t parameter = index_of(t, "parameter", names.health);
+                    const double unit = names.health_unit[parameter];
+                    c.scenario.health_changes.push_back({time_s, parameter,
+                                                         t.real("change", health_min * unit, health_max * unit),
+                                                         t.real_or("ramp_s", 0.0, 0, far_future_s)});
                   });
                 });
+}
+
+void declare_control_changes(Schema& schema, SimConfig& c) {
+  schema.tables("control_change",
+                "a change of a control of the linear model: time_s, control, change (its unit), ramp_s",
+                [&c](const std::string& file, const toml::array& array) {
+                  const Names names = names_of(c);
+                  if (names.controls.empty())
+                    throw ConfigError("'control_change' is for a linear model with controls ('linear.model')");
+                  for_each_table(file, "control_change", array, [&](TableReader& t) {
+                    const double time_s = t.real("time_s", 0, far_future_s);
+                    const std::size_t control = index_of(t, "control", names.controls);
+                    c.scenario.control_changes.push_back(
+                        {time_s, control, t.real("change", -1e9, 1e9), t.real_or("ramp_s", 0.0, 0, far_future_s)});
+                  });
+                });
+}
+
+void declare_faults(Schema& schema, SimConfig& c) {
+  static const std::vector<std::string> kinds{"bias", "drift", "stuck", "dropout", "noise"};
   schema.tables("sensor_fault",
                 "a sensor fault: time_s, sensor, kind, magnitude (sensor's unit, per second for drift, factor for "
                 "noise), duration_s (0: for good)",
-                [&s](const std::string& file, const toml::array& array) {
+                [&c](const std::string& file, const toml::array& array) {
+                  const Names names = names_of(c);
                   for_each_table(file, "sensor_fault", array, [&](TableReader& t) {
                     ScheduledFault f;
-                    f.sensor = index_in(sensors, t.choice("sensor", sensors));
-                    f.fault.kind = static_cast<FaultKind>(1 + index_in(kinds, t.choice("kind", kinds)));
+                    f.sensor = index_of(t, "sensor", names.sensors);
+                    f.fault.kind = static_cast<FaultKind>(1 + index_of(t, "kind", kinds));
                     f.fault.start_s = t.real("time_s", 0, far_future_s);
                     f.fault.duration_s = t.real_or("duration_s", 0.0, 0, far_future_s);
                     f.fault.magnitude = t.real_or("magnitude", 0.0, -1e9, 1e9);
-                    s.faults.push_back(f);
+                    c.scenario.faults.push_back(f);
                   });
                 });
 }
@@ -166,6 +217,9 @@ void declare(Schema& schema, SimConfig& c) {
                  "how many samples may be unanswered at rate max");
   schema.integer("run.wait_for_monitors", c.wait_for_monitors, 0, 64, "",
                  "start the flight when so many readers of EngineSensors have matched");
+  schema.text("linear.model", c.linear_model,
+              "a linear model to fly instead of the turbofan: the JSON file that tuner_design reads and writes");
+  schema.alias("linear.model", "--linear");
   declare_replay(schema, c.replay);
   schema.real("flight.altitude_m", s.flight.altitude_m, -500, 15000, "m", "pressure altitude at the start");
   schema.real("flight.mach", s.flight.mach, 0, 0.95, "", "flight Mach number at the start");
@@ -186,23 +240,27 @@ void declare(Schema& schema, SimConfig& c) {
       "directory of certificates and permissions that make_security.sh made; empty: no security, anybody may join");
   schema.flag("dds.security_required", c.security_required, "do not start without dds.security");
   schema.choice("log.level", c.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
-  declare_tables(schema, s);
+  declare_profile(schema, s);
+  declare_health(schema, c);
+  declare_control_changes(schema, c);
+  declare_faults(schema, c);
 }
 
 namespace {
 
 /// Wear and changes of one parameter may add up beyond what a single key allows.
-void check_health_sum(const Scenario& s) {
+void check_health_sum(const Scenario& s, const Names& names) {
   auto changes = s.health_changes;
   std::stable_sort(changes.begin(), changes.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
-  std::array<double, health_count> health{};
-  for (std::size_t i = 0; i < health_count; ++i) health[i] = s.wear[i].initial;
+  std::vector<double> health;
+  for (const Wear& wear : s.wear) health.push_back(wear.initial);
   for (const auto& c : changes) {
-    health[c.parameter] += c.change;
-    if (!(health[c.parameter] >= health_min && health[c.parameter] <= health_max))
-      throw ConfigError("'health_change' brings " + std::string(health_names[c.parameter]) + " to " +
-                        config::number_text(health[c.parameter]) + " at " + config::number_text(c.time_s) +
-                        " s, allowed is " + config::number_text(health_min) + " to " + config::number_text(health_max));
+    health[c.channel] += c.change;
+    const double least = health_min * names.health_unit[c.channel], most = health_max * names.health_unit[c.channel];
+    if (!(health[c.channel] >= least && health[c.channel] <= most))
+      throw ConfigError("'health_change' brings " + names.health[c.channel] + " to " +
+                        config::number_text(health[c.channel]) + " at " + config::number_text(c.time_s) +
+                        " s, allowed is " + config::number_text(least) + " to " + config::number_text(most));
   }
 }
 
@@ -228,8 +286,10 @@ double SimConfig::rate_factor() const {
   return factor;
 }
 
-void finish_config(SimConfig& c) {
+void finish_config(SimConfig& c, const Schema& schema) {
   c.rate_factor();
+  const Names names = names_of(c);
+  if (c.linear) check_linear(schema.given(), c.scenario);
   if (c.replay.file.empty() && !c.replay.column_map.empty())
     throw ConfigError("'replay.column_map' is for 'replay.file', which is not set");
   if (c.security_required && c.security.empty())
@@ -240,7 +300,7 @@ void finish_config(SimConfig& c) {
                            : c.demand_kind == "n1_rpm"       ? DemandKind::n1_rpm
                            : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n
                                                              : DemandKind::fuel_flow_kg_s;
-  check_health_sum(c.scenario);
+  check_health_sum(c.scenario, names);
   check_profile(c.scenario.profile);
 }
 

@@ -3,21 +3,27 @@
 //
 //   [engine] id, source_id, heat_soak           [aircraft] customer_bleed_kg_s, power_w
 //   [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
-//   [replay] file, column_map, stamps
+//   [linear] model                              [replay] file, column_map, stamps
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
 //   [sensors] noise, lag, quantisation          [control] limits, bandwidth        [dds] domain, partition, profiles
 //   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k
 //   [[wear]] parameter, initial, drift_per_hour
 //   [[health_change]] time_s, parameter, change, ramp_s
+//   [[control_change]] time_s, control, change, ramp_s     (of a linear model)
 //   [[sensor_fault]] time_s, sensor, kind, magnitude, duration_s
 //
 // @throws config::ConfigError with file, line, key, value, allowed range.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "deploy/config/schema.h"
 #include "engine_sim/scenario/scenario.h"
+
+namespace ehm::estimation {
+struct LinearModel;
+}
 
 namespace ehm::engine {
 
@@ -31,6 +37,9 @@ struct ReplayOptions {
 struct SimConfig {
   Scenario scenario;
   ReplayOptions replay;
+  std::string linear_model;  ///< file of a model to fly; empty: the turbofan flies
+  /// What that file holds, once a table or finish_config has asked for it; null: the turbofan flies.
+  std::shared_ptr<const estimation::LinearModel> linear;
   std::string demand_kind = "t40_k";
   std::string rate = "1";             ///< times real time, or "max": lockstep with the monitor
   std::int64_t lockstep_window = 16;  ///< samples that may be unanswered under "max"
@@ -46,7 +55,8 @@ struct SimConfig {
 
 /// Declares every key of `config`; load the schema, then call finish_config.
 void declare(config::Schema& schema, SimConfig& config);
-/// Checks what no single key can tell: demand kind, rate, order of the profile.
-void finish_config(SimConfig& config);
+/// Checks what no single key can tell: demand kind, rate, order of the profile, what a linear model can fly. `schema` has
+/// loaded `config`.
+void finish_config(SimConfig& config, const config::Schema& schema);
 
 }  // namespace ehm::engine

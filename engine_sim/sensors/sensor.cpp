@@ -13,6 +13,7 @@ Reading Sensor::read(double truth, double time_s, double dt_s, NoiseSource& nois
   double value = *lagged_;
   double sigma = options_.noise_sigma;
   const double deviate = noise.normal();
+  const bool holds = samples_++ % options_.held_samples != 0 && delivered_;
   if (fault_.active(time_s)) {
     switch (fault_.kind) {
       case FaultKind::bias:
@@ -33,6 +34,7 @@ Reading Sensor::read(double truth, double time_s, double dt_s, NoiseSource& nois
         break;
     }
   }
+  if (holds) return {*delivered_, true};
   value += sigma * deviate;
   if (options_.step > 0.0) value = options_.step * std::round(value / options_.step);
   delivered_ = value;

@@ -1,5 +1,5 @@
 #pragma once
-// One sensor: lag -> fault -> noise -> quantisation, in the order in which a real channel does it.
+// One sensor: lag -> fault -> noise -> quantisation -> holding, in the order in which a real channel does it.
 //
 //   lag           s[k] = s[k-1] + (1 - exp(-dt/tau)) (truth[k] - s[k-1]),  tau = 0: none
 //   bias          + magnitude                       unit
@@ -8,7 +8,9 @@
 //   stuck         repeats the last delivered value
 //   dropout       NaN, not valid
 //   quantisation  round to the next multiple of step, 0: none
+//   holding       a new value every held_samples samples, which stands until the next
 
+#include <cstdint>
 #include <optional>
 
 #include "engine_sim/sensors/noise_source.h"
@@ -31,6 +33,7 @@ struct SensorOptions {
   double noise_sigma = 0.0;  ///< the sensor's unit
   double lag_s = 0.0;
   double step = 0.0;
+  std::uint64_t held_samples = 1;
 };
 
 struct Reading {
@@ -50,6 +53,7 @@ class Sensor {
   SensorFault fault_;
   std::optional<double> lagged_;
   std::optional<double> delivered_;
+  std::uint64_t samples_ = 0;
 };
 
 }  // namespace ehm::engine

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   engine::declare(schema, config);
   try {
     schema.load(file.path());
-    engine::finish_config(config);
+    engine::finish_config(config, schema);
   } catch (const config::ConfigError& e) {
     EHM_REQUIRE(e.what()[0] != '\0');
     return 0;

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "monitor/estimation/discretise.h"
 #include "tuner_design/baselines/best_subset.h"
 #include "tuner_design/baselines/tuner_baselines.h"
 #include "tuner_design/choose_tuners.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/full_order/gauss_markov.h"
 #include "tuner_design/full_order/limit_after.h"
 

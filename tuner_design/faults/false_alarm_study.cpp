@@ -5,9 +5,9 @@
 
 #include "deploy/long_work/parallel_for.h"
 #include "idl/wire_values.h"
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/steady_gain.h"
 #include "monitor/monitor_cycle.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/monte_carlo/engine_motion.h"
 
 namespace ehm::bench {

@@ -4,9 +4,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/lyapunov.h"
 
 namespace ehm::bench {

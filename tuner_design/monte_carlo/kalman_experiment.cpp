@@ -4,9 +4,9 @@
 
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/judge/fleet_watch.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/monte_carlo/engine_average.h"
 #include "tuner_design/monte_carlo/engine_motion.h"
 #include "tuner_design/monte_carlo/random_stream.h"

@@ -1,7 +1,7 @@
 #include "tuner_design/monte_carlo/map_experiment.h"
 
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/steady_gain.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/map_estimator.h"
 #include "tuner_design/monte_carlo/engine_average.h"
 #include "tuner_design/monte_carlo/random_stream.h"

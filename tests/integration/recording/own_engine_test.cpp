@@ -1,14 +1,13 @@
-// Engines that are known as matrices only, flown over DDS by a node of the user's own: one without controls, one with two
-// probes of the same quantity, and one whose design changes its units in flight.
+// Engines that are known as matrices only, flown by engine_sim --linear: the cruise model, one without controls, one with
+// two probes of the same quantity, and one whose design changes its units in flight.
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <csignal>
 #include <fstream>
-#include <random>
+#include <nlohmann/json.hpp>
 
-#include "deploy/recording/recording_rows.h"
-#include "tests/integration/engine_samples.h"
 #include "tests/integration/pair.h"
 #include "tests/temporary_folder.h"
 
@@ -22,10 +21,10 @@ using testing::HasSubstr;
 class OwnEngineTest : public PairTest {
  protected:
   static Json cruise_model() { return Json::parse(std::ifstream(EHM_MODEL_FILE)); }
-  std::string design(const std::string& name, const Json& model) {
-    const std::string file = folder_.file("model.json", model.dump());
+  std::string write(const std::string& name, const Json& json) { return folder_.file(name, json.dump()); }
+  std::string design(const std::string& model_file, const std::string& name) {
     const std::string out = folder_.path(name);
-    Process process({EHM_TUNER_DESIGN, "design", "--model", file, "--out", out});
+    Process process({EHM_TUNER_DESIGN, "design", "--model", model_file, "--out", out});
     EXPECT_EQ(process.wait(seconds(60)), 0) << process.log();
     return out;
   }
@@ -36,52 +35,74 @@ class OwnEngineTest : public PairTest {
     monitor_ = std::make_unique<Process>(arguments);
     ASSERT_TRUE(listener_.await([&] { return listener_.monitors() == 1; })) << monitor_->log();
   }
-  void await_match() {
-    ASSERT_TRUE(listener_.await([&] { return sensors_.matched() == 2; }));  // the monitor and the listener
+  /// The model as the engine; begins once monitor and listener hear it.
+  std::unique_ptr<Process> fly(const std::string& model_file, const std::vector<std::string>& flags) {
+    std::vector<std::string> arguments{
+        simulator_program(),       "--linear", model_file, "--dds-domain", std::to_string(domain_),
+        "--run-wait-for-monitors", "2"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    return std::make_unique<Process>(arguments);
   }
-  /// Sends samples with the design's noise, one by one, each once the one before is answered.
-  template <class Change>
-  void fly(EngineSamples& engine, const Json& design, std::size_t count, Change&& change) {
-    for (std::size_t k = 0; k < count; ++k) {
-      EngineSensors s = engine.next();
-      for (std::size_t i = 0; i < s.sensor_count(); ++i) {
-        const auto& channel = design["model"]["sensors"][i];
-        s.sensor()[i] = channel["trim"].get<double>() + channel["noise_sigma"].get<double>() * noise_(random_);
-      }
-      change(s);
-      const std::size_t before = listener_.residuals.size();
-      // The first may leave before the monitor hears us: it is sent again until it is answered.
-      bool answered = false;
-      for (int tries = 0; tries < 20 && !answered; ++tries) {
-        sensors_.write(s);
-        answered = listener_.await([&] { return listener_.residuals.size() > before; }, seconds(1));
-      }
-      ASSERT_TRUE(answered) << k << "\n" << monitor_->log();
-    }
+  bool await_end(Process& process) {
+    return listener_.await([&] { return !process.running(); }, seconds(40)) && process.wait(seconds(1)) == 0;
   }
   TemporaryFolder folder_;
-  wire::Writer<EngineSensors> sensors_{participant_};
   std::unique_ptr<Process> monitor_;
-  std::mt19937 random_{12};
-  std::normal_distribution<double> noise_;
 };
+
+TEST_F(OwnEngineTest, IsEstimatedWithinItsSigmaAndItsSensorFaultIsNamed) {
+  const std::string model = write("model.json", cruise_model());
+  start({"--monitor-design", design(model, "design.json"), "--monitor-clock", "source"});
+  const std::string scenario = folder_.file("scenario.toml",
+                                            "[[wear]]\nparameter = \"hpc_efficiency\"\ninitial = -0.02\n"
+                                            "[[sensor_fault]]\nsensor = \"T30\"\nkind = \"bias\"\n"
+                                            "magnitude = 60\ntime_s = 60\n");
+  const auto simulator = fly(model, {"--config", scenario, "--run-duration-s", "75", "--rate", "max"});
+  double worst_before = 0.0;
+  const auto judge = [&] {
+    for (const EngineHealth& h : std::exchange(listener_.health, {})) {
+      const auto truth = listener_.truth.find(h.sequence_number());
+      if (truth == listener_.truth.end() || h.sequence_number() < 2000 || h.sequence_number() >= 4000) continue;
+      for (std::size_t i = 0; i < h.health_count(); ++i)
+        worst_before = std::max(worst_before, std::abs(h.health()[i] - truth->second.health()[i]) / h.sigma_total()[i]);
+    }
+  };
+  ASSERT_TRUE(listener_.await(
+      [&] {
+        judge();
+        return !simulator->running() && listener_.has_event(wire::EventKind::sensor_fault, true);
+      },
+      seconds(40)))
+      << simulator->log() << monitor_->log();
+  ASSERT_FALSE(listener_.truth.empty());
+  EXPECT_DOUBLE_EQ(listener_.truth.rbegin()->second.health()[4], -0.02);
+  EXPECT_GT(worst_before, 0.0);
+  EXPECT_LT(worst_before, 4.5);  // of ten parameters, over 30 s
+  EXPECT_STREQ(listener_.find_event(wire::EventKind::sensor_fault, true)->channel_name().c_str(), "T30");
+  EXPECT_EQ(listener_.status.back().samples_lost(), 0u);
+  const auto described = std::find_if(listener_.descriptions.begin(), listener_.descriptions.end(), [](const auto& d) {
+    return d.role() == static_cast<std::uint32_t>(wire::DescriptionRole::source);
+  });
+  ASSERT_NE(described, listener_.descriptions.end());
+  EXPECT_STREQ(described->sensors()[5].name().c_str(), "T30");
+  EXPECT_FALSE(listener_.has_event(wire::EventKind::source_channels, true));
+}
 
 TEST_F(OwnEngineTest, WithoutControlsIsFlownRecordedAndReplayed) {
   Json model = cruise_model();
   model["controls"] = Json::array();
   for (const char* name : {"B", "D", "G"})
     for (auto& row : model[name]) row = Json::array();
-  const std::string design_of_it = design("design.json", model);
-  const std::string record = folder_.path("flight.h5");
+  const std::string model_file = write("model.json", model), record = folder_.path("flight.h5");
+  const std::string design_of_it = design(model_file, "design.json");
   start({"--monitor-design", design_of_it, "--record", record});
-  await_match();
-  EngineSamples engine(design_of_it, 1);
-  fly(engine, Json::parse(std::ifstream(design_of_it)), 100,
-      [](const EngineSensors& s) { ASSERT_EQ(s.actuator_count(), 0u); });
-  ASSERT_EQ(listener_.health.size(), 100u);
+  const auto simulator = fly(model_file, {"--run-duration-s", "1.5", "--rate", "max"});
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() == 100; })) << simulator->log();
+  EXPECT_EQ(listener_.sensors.back().actuator_count(), 0u);
   ASSERT_TRUE(
       listener_.await([&] { return !listener_.status.empty() && listener_.status.back().samples_processed() == 100; }));
   EXPECT_EQ(listener_.status.back().samples_malformed(), 0u);
+  ASSERT_TRUE(await_end(*simulator));
   monitor_->signal(SIGTERM);
   ASSERT_EQ(monitor_->wait(seconds(5)), 0);
   const std::vector<EngineHealth> flown = std::exchange(listener_.health, {});
@@ -103,21 +124,22 @@ TEST_F(OwnEngineTest, TheBiasOfOneOfTwoProbesOfTheSameIsNamed) {
   model["sensors"].push_back(probe);
   for (const char* name : {"C", "D", "M"}) model[name].push_back(model[name][6]);
   model.erase("linearisation_error");
-  const std::string design_of_it = design("design.json", model);
-  start({"--monitor-design", design_of_it});
-  await_match();
-  EngineSamples engine(design_of_it, 1);
-  const Json json = Json::parse(std::ifstream(design_of_it));
-  fly(engine, json, 1500, [](const EngineSensors&) {});
-  EXPECT_EQ(listener_.find_event(wire::EventKind::sensor_fault, true), nullptr);
+  const std::string model_file = write("model.json", model);
+  start({"--monitor-design", design(model_file, "design.json"), "--monitor-clock", "source"});
+  constexpr std::uint64_t onset = 1500;
   const double bias = 8.0 * probe["noise_sigma"].get<double>();
-  fly(engine, json, 400, [&](EngineSensors& s) { s.sensor()[7] += bias; });
+  const std::string scenario = folder_.file(
+      "scenario.toml", "[[sensor_fault]]\nsensor = \"T48b\"\nkind = \"bias\"\ntime_s = 22.5\nmagnitude = " +
+                           std::to_string(bias) + "\n");
+  const auto simulator = fly(model_file, {"--config", scenario, "--run-duration-s", "30", "--rate", "max"});
   ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::sensor_fault, true); }))
-      << monitor_->log();
+      << simulator->log() << monitor_->log();
   const HealthEvent* named = listener_.find_event(wire::EventKind::sensor_fault, true);
+  EXPECT_GE(named->sequence_number(), onset);
   EXPECT_EQ(named->channel(), 7u) << named->message();
   EXPECT_THAT(std::string(named->message().c_str()), HasSubstr("T48b"));
   EXPECT_NEAR(named->value(), bias, 0.3 * bias);
+  ASSERT_TRUE(await_end(*simulator));
   EXPECT_FALSE(listener_.has_event(wire::EventKind::health_shift, true));
 }
 
@@ -129,39 +151,39 @@ TEST_F(OwnEngineTest, ADesignInOtherUnitsIsTakenInFlight) {
       sensor["unit"] = "degC";
       sensor["trim"] = sensor["trim"].get<double>() - 273.15;
     }
-  const std::string before = design("kelvin.json", kelvin), after = design("celsius.json", celsius);
+  const std::string model_file = write("kelvin.json", kelvin);
+  const std::string before = design(model_file, "before.json"),
+                    after = design(write("celsius.json", celsius), "after.json");
   const auto configure = [&](const std::string& file) {
     return folder_.file("monitor.toml", "[monitor]\ndesign = \"" + file + "\"\n");
   };
-  wire::Writer<EngineDescription> descriptions(participant_);
-  EngineDescription described;
-  described.engine_id(1);
-  described.source_id(9);
-  described.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
-  described.schema(wire::schema_version);
-  described.sensor_count(static_cast<std::uint32_t>(kelvin["sensors"].size()));
-  for (std::size_t i = 0; i < kelvin["sensors"].size(); ++i) {
-    described.sensors()[i].name() = kelvin["sensors"][i]["name"].get<std::string>();
-    described.sensors()[i].unit() = kelvin["sensors"][i]["unit"].get<std::string>();
-  }
-  descriptions.write(described);
   start({"--config", configure(before)});
-  await_match();
-  EngineSamples engine(before, 1);
-  const Json json = Json::parse(std::ifstream(before));
-  fly(engine, json, 200, [](const EngineSensors&) {});
+  const auto simulator = fly(model_file, {});  // and describes itself in kelvin
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 200; })) << simulator->log();
   configure(after);
   monitor_->signal(SIGHUP);
   ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::configuration, false); }));
   const std::size_t flown = listener_.residuals.size();
-  fly(engine, json, 200, [](const EngineSensors&) {});
-  EXPECT_EQ(listener_.health.size(), listener_.residuals.size());  // no sample without an estimate
+  ASSERT_TRUE(listener_.await([&] { return listener_.residuals.size() > flown + 200; }));
+  simulator->signal(SIGINT);
+  ASSERT_TRUE(await_end(*simulator));
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() == listener_.residuals.size(); }))
+      << "a sample without an estimate";
   EXPECT_FALSE(listener_.has_event(wire::EventKind::source_channels, true));
   for (std::size_t k = flown; k < listener_.residuals.size(); ++k) {
     ASSERT_EQ(listener_.residuals[k].fused(), 0b1111111u) << k;
     ASSERT_NEAR(listener_.residuals[k].innovation()[6], 0.0, 40.0) << k;  // T48; unconverted it were 273
   }
   EXPECT_THAT(monitor_->log(), HasSubstr("the first T24 from K to degC"));
+}
+
+TEST_F(OwnEngineTest, AModelThatIsWrongIsNamedAndNothingFlies) {
+  Json model = cruise_model();
+  model["health"][2]["sigma"] = 0;
+  const std::string file = write("model.json", model);
+  Process process({simulator_program(), "--linear", file, "--check-config"});
+  EXPECT_EQ(process.wait(seconds(20)), 2);
+  EXPECT_THAT(process.log(), HasSubstr("engine_sim: 'linear.model': " + file + ": health[2].sigma is 0"));
 }
 
 }  // namespace

@@ -54,6 +54,25 @@ TEST_F(SchemaTest, ReadsAFile) {
   EXPECT_TRUE(values_.on);
 }
 
+// engine_sim's tables speak of the channels of the model that a key or flag names.
+TEST_F(SchemaTest, TablesAreReadAfterAllKeysWhereverTheseAreSet) {
+  std::string name_at_table;
+  schema_.tables("aaa", "before every key in the file",
+                 [&](const std::string&, const toml::array&) { name_at_table = values_.name; });
+  parse({"--names-name", "from the flag"});
+  const ConfigFile file("[[aaa]]\nx = 1\n[names]\nname = \"from the file\"\n");
+  schema_.load(file.path());
+  EXPECT_EQ(name_at_table, "from the flag");
+}
+
+TEST_F(SchemaTest, TellsWhichKeysWereGivenEvenWithTheirDefault) {
+  EXPECT_TRUE(schema_.given().empty());
+  parse({"--checks-samples", "5"});
+  const ConfigFile file("[names]\non = false\n");
+  schema_.load(file.path());
+  EXPECT_EQ(schema_.given(), (std::vector<std::string>{"checks.samples", "names.on"}));
+}
+
 TEST_F(SchemaTest, EachMistakeHasOneMessageWithPlaceKeyValueAndAllowedRange) {
   EXPECT_EQ(error_of("[checks]\ngate_sigma = 1.5\n"),
             ":2: 'checks.gate_sigma' is 1.5, allowed is a number from 2 to 20 sigma");

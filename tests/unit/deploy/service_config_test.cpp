@@ -16,7 +16,7 @@ engine::SimConfig load_scenario(const std::string& toml) {
   config::Schema schema;
   engine::declare(schema, config);
   schema.load(file.path());
-  engine::finish_config(config);
+  engine::finish_config(config, schema);
   return config;
 }
 
@@ -100,7 +100,7 @@ mach = 0.78
   EXPECT_DOUBLE_EQ(s.wear[engine::hpc_flow].initial, -0.01);
   EXPECT_DOUBLE_EQ(s.wear[engine::hpc_flow].drift_per_s, -0.001);
   ASSERT_EQ(s.health_changes.size(), 1u);
-  EXPECT_EQ(s.health_changes[0].parameter, static_cast<std::size_t>(engine::lpt_efficiency));
+  EXPECT_EQ(s.health_changes[0].channel, static_cast<std::size_t>(engine::lpt_efficiency));
   ASSERT_EQ(s.faults.size(), 1u);
   EXPECT_EQ(s.faults[0].sensor, 6u);
   EXPECT_EQ(s.faults[0].fault.kind, engine::FaultKind::drift);

@@ -55,6 +55,22 @@ TEST(Sensor, QuantisesToTheStep) {
   EXPECT_DOUBLE_EQ(sensor.read(10.2, 0.0, dt_s, noise).value, 10.25);
 }
 
+TEST(Sensor, HoldsAValueThroughItsFaults) {
+  NoiseSource noise(1);
+  Sensor sensor({.held_samples = 3});
+  const auto read = [&](double truth) { return sensor.read(truth, 0.0, dt_s, noise); };
+  EXPECT_DOUBLE_EQ(read(1.0).value, 1.0);
+  EXPECT_DOUBLE_EQ(read(2.0).value, 1.0);
+  sensor.inject({FaultKind::bias, 10.0, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(read(3.0).value, 1.0);  // felt when it speaks again
+  EXPECT_DOUBLE_EQ(read(4.0).value, 14.0);
+  sensor.inject({FaultKind::dropout, 0.0, 0.0, 0.0});
+  EXPECT_FALSE(read(5.0).valid);
+  sensor.inject({});
+  EXPECT_DOUBLE_EQ(read(6.0).value, 14.0);
+  EXPECT_DOUBLE_EQ(read(7.0).value, 7.0);
+}
+
 TEST(Sensor, FaultsDoWhatTheySayForAsLongAsTheySay) {
   NoiseSource noise(1);
   Sensor sensor({});

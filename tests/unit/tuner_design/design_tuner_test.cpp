@@ -6,10 +6,10 @@
 
 #include <Eigen/LU>
 
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design_report.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/kalman_error.h"
 #include "tuner_design/kalman_gain.h"
 #include "tuner_design/search/row_space.h"

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/scaling.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/baselines/tuner_baselines.h"
 #include "tuner_design/design_tuner.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/kalman_error.h"
 #include "tuner_design/kalman_gain.h"
 

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <limits>
 
+#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/scaling.h"
 #include "tests/unit/monitor/estimation/allocation_counter.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design_tuner.h"
-#include "tuner_design/discretise.h"
 #include "tuner_design/full_order/gauss_markov.h"
 
 namespace ehm::estimation {

@@ -1,11 +1,11 @@
-#include "tuner_design/discretise.h"
+#include "monitor/estimation/discretise.h"
 
 #include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
 
-namespace ehm::bench {
+namespace ehm::estimation {
 
-estimation::LinearModel discretise(const estimation::LinearModel& model) {
+LinearModel discretise(const LinearModel& model) {
   if (model.discrete) return model;
   const Eigen::Index n = model.A.rows(), nu = model.B.cols(), p = model.L.cols();
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(n + nu + p, n + nu + p);
@@ -15,7 +15,7 @@ estimation::LinearModel discretise(const estimation::LinearModel& model) {
     throw std::runtime_error("zero-order hold of [A B L]: the exponential is not finite; sample_time_s " +
                              std::to_string(model.sample_time_s) + " is too long for this A");
   }
-  estimation::LinearModel result = model;
+  LinearModel result = model;
   result.discrete = true;
   result.A = transition.topLeftCorner(n, n);
   result.B = transition.block(0, n, n, nu);
@@ -23,4 +23,4 @@ estimation::LinearModel discretise(const estimation::LinearModel& model) {
   return result;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::estimation

@@ -1,15 +1,15 @@
-#include "tuner_design/discretise.h"
+#include "monitor/estimation/discretise.h"
 
 #include <gtest/gtest.h>
 
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"
 
-namespace ehm::bench {
+namespace ehm::estimation {
 namespace {
 
-estimation::LinearModel continuous_model() {
-  estimation::LinearModel model = test::made_up_model();
+LinearModel continuous_model() {
+  LinearModel model = test::made_up_model();
   model.discrete = false;
   model.A = (Eigen::Matrix2d() << -1.74, 1.79, 1.11, -4.74).finished();
   return model;
@@ -17,8 +17,8 @@ estimation::LinearModel continuous_model() {
 
 TEST(Discretise, AgreesWithThePowerSeries) {
   // Ad = sum (A T)^k / k!,  Bd = T sum (A T)^k / (k+1)! B: summed here until the terms vanish.
-  const estimation::LinearModel model = continuous_model();
-  const estimation::LinearModel discrete = discretise(model);
+  const LinearModel model = continuous_model();
+  const LinearModel discrete = discretise(model);
   const double T = model.sample_time_s;
   Eigen::MatrixXd term = Eigen::MatrixXd::Identity(2, 2), Ad = term, integral = T * term;
   for (int k = 1; k < 20; ++k) {
@@ -34,17 +34,16 @@ TEST(Discretise, AgreesWithThePowerSeries) {
 }
 
 TEST(Discretise, KeepsTheSteadyState) {
-  const estimation::LinearModel model = continuous_model();
-  const estimation::SteadyGain before = estimation::steady_gain(model),
-                               after = estimation::steady_gain(discretise(model));
+  const LinearModel model = continuous_model();
+  const SteadyGain before = steady_gain(model), after = steady_gain(discretise(model));
   EXPECT_LT((before.H - after.H).norm() / before.H.norm(), 1e-12);
   EXPECT_LT((before.Hz - after.Hz).norm() / before.Hz.norm(), 1e-12);
 }
 
 TEST(Discretise, LeavesADiscreteModelAlone) {
-  const estimation::LinearModel model = test::made_up_model();
+  const LinearModel model = test::made_up_model();
   EXPECT_EQ(discretise(model).A, model.A);
 }
 
 }  // namespace
-}  // namespace ehm::bench
+}  // namespace ehm::estimation

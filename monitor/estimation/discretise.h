@@ -6,9 +6,9 @@
 
 #include "monitor/estimation/linear_model.h"
 
-namespace ehm::bench {
+namespace ehm::estimation {
 
 /// A discrete model is returned as it is. @throws std::runtime_error if the exponential is not finite.
-estimation::LinearModel discretise(const estimation::LinearModel& model);
+LinearModel discretise(const LinearModel& model);
 
-}  // namespace ehm::bench
+}  // namespace ehm::estimation

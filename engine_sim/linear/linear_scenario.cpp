@@ -1,0 +1,39 @@
+#include "engine_sim/linear/linear_scenario.h"
+
+#include <array>
+
+#include "deploy/config/schema.h"
+
+namespace ehm::engine {
+
+namespace {
+
+struct Refused {
+  const char *prefix, *why;
+};
+constexpr std::array refused{
+    Refused{"flight.", "which holds at its own operating point only"},
+    Refused{"demand.", "whose controls stay at their trims, but for [[control_change]]"},
+    Refused{"control.", "whose controls stay at their trims, but for [[control_change]]"},
+    Refused{"aircraft.", "which has no offtakes"},
+    Refused{"sensors.", "whose sensors have the noise, resolution and update period that it states"},
+    Refused{"engine.heat_soak", "whose states are what it lists"},
+    Refused{"run.sample_time_s", "which has a sample_time_s of its own"},
+    Refused{"replay.", "and a replay flies nothing"},
+};
+
+[[noreturn]] void refuse(const std::string& key, const char* why) {
+  throw config::ConfigError("'" + key + "' is given, but 'linear.model' flies a linear model, " + why +
+                            ": leave one of the two out");
+}
+
+}  // namespace
+
+void check_linear(const std::vector<std::string>& given, const Scenario& scenario) {
+  for (const std::string& key : given)
+    for (const auto& [prefix, why] : refused)
+      if (key.starts_with(prefix)) refuse(key, why);
+  if (!scenario.profile.empty()) refuse("profile", "which holds at its own operating point only");
+}
+
+}  // namespace ehm::engine

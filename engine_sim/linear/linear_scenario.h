@@ -1,0 +1,16 @@
+#pragma once
+// What of a scenario a linear model can fly: wear, changes of health and controls, sensor faults, seed, duration. Flight,
+// demand, control, offtakes and sensors are the model's own, and a key that sets them is refused.
+
+#include <string>
+#include <vector>
+
+#include "engine_sim/scenario/scenario.h"
+
+namespace ehm::engine {
+
+/// `given`: the configuration keys that somebody has set.
+/// @throws config::ConfigError naming the first one that makes no sense, and why.
+void check_linear(const std::vector<std::string>& given, const Scenario& scenario);
+
+}  // namespace ehm::engine
