@@ -144,7 +144,7 @@ TEST_F(Watch, WithoutTruthEstimatesStandAlone) {
   estimate(4);
   const std::string text = demo::summary(data_, 80);
   EXPECT_THAT(text, HasSubstr("hpc_efficiency"));
-  EXPECT_THAT(text, HasSubstr("+-0.210  %"));
+  EXPECT_THAT(text, HasSubstr("+-0.210 %"));
   EXPECT_THAT(text, HasSubstr("degraded shifted"));
   EXPECT_THAT(text, HasSubstr("sensors in use: N1 P30; left out: T30"));
   EXPECT_THAT(text, HasSubstr("accuracy was not judged"));
