@@ -22,6 +22,7 @@
 #include "engine_sim/run.h"
 #include "engine_sim/scenario/scenario_file.h"
 #include "engine_sim/simulation.h"
+#include "idl/dds/descriptors.h"
 #include "idl/dds/security.h"
 
 namespace {
@@ -88,6 +89,7 @@ int run(int argc, char** argv) {
     schema.load(line.file);
     engine::finish_config(config, schema);
     wire::check_security(config.security);
+    wire::require_descriptors();
     spdlog::set_level(spdlog::level::from_str(config.log_level));
   } catch (const std::exception& e) {
     std::cerr << "engine_sim: " << e.what() << '\n';

@@ -13,6 +13,7 @@
 #include "deploy/service/log.h"
 #include "deploy/service/reload_signal.h"
 #include "deploy/service/written.h"
+#include "idl/dds/descriptors.h"
 #include "idl/dds/security.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/config.h"
@@ -62,6 +63,7 @@ int run(int argc, char** argv) {
     monitor::finish_config(config);
     wire::check_security(config.security);
     wire::check_profile(monitor::service_participant(config));
+    wire::require_descriptors();
     spdlog::set_level(spdlog::level::from_str(config.log_level));
     // The flight goes on without what cannot be written; whoever only checks wants to know of it.
     if (line.check_config && !config.checkpoint_directory.empty())

@@ -16,6 +16,7 @@
 #include "deploy/command/order.h"
 #include "deploy/command/report.h"
 #include "deploy/config/man_page.h"
+#include "deploy/config/usage_answer.h"
 #include "deploy/service/exit_code.h"
 #include "deploy/service/written.h"
 
@@ -119,7 +120,7 @@ int run(int argc, char** argv) {
     if (options.engine == 0 && std::holds_alternative<SimCommand>(options.order.command))
       throw CLI::ValidationError("--engine", "0 (every engine) is for reset only; allowed is 1 to 4294967295");
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? service::exit_ok : service::exit_usage;
+    return config::usage_answer(app, e);
   }
   try {
     client::check_files(options.client);

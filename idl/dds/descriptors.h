@@ -28,9 +28,10 @@ inline void require_descriptors() {
   if (limit.rlim_cur >= needed) return;
   limit.rlim_cur = std::min(limit.rlim_max, needed);
   if (limit.rlim_cur >= needed && setrlimit(RLIMIT_NOFILE, &limit) == 0) return;
-  throw DdsError("this process may open " + std::to_string(limit.rlim_max) + " files (ulimit -n, LimitNOFILE), " +
-                 std::to_string(used) + " are open, and a DDS participant needs " + std::to_string(least_descriptors) +
-                 " more: allow " + std::to_string(needed) + " at least");
+  throw DdsError("this process may have " + std::to_string(limit.rlim_max) +
+                 " file descriptors (ulimit -n, LimitNOFILE), " + std::to_string(used) +
+                 " are in use, and a DDS participant needs " + std::to_string(least_descriptors) + " more: allow " +
+                 std::to_string(needed) + " at least");
 }
 
 }  // namespace ehm::wire

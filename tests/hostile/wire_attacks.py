@@ -44,7 +44,9 @@ def reset_flood(bench):
         sent = bench.flood("reset", 1000)
         restarts, held = metric("ehm_filter_restarts_total"), flight.unharmed()
         grown_kb = (os.path.getsize(flight.log_path("monitor")) - size) / 1000
-        require(grown_kb < 1000, f"the log grew by {grown_kb:.0f} kB")
+        require(grown_kb < 100, f"the log grew by {grown_kb:.0f} kB")
+        require(restarts <= 5, f"{restarts:.0f} restarts, one in two seconds is allowed")
+        require(events("command_flood") > 0, "no event command_flood")
         return f"{sent} orders, {restarts:.0f} restarts, {grown_kb:.1f} kB of log, {held}"
 
 
