@@ -14,17 +14,15 @@ using wire::StatusLevel;
 namespace {
 constexpr double longest_wait_s = 0.015;  // how soon a loss of input is noticed
 constexpr double leaving_wait_s = 0.002;  // while the pause between two samples is looked for
-constexpr std::int64_t longest_release_ns = 100'000'000;
 // The engines are looked through so often, not at each sample: with N engines that would be N^2 looks a sample time.
 constexpr std::int64_t watch_period_ns = 5'000'000;
 constexpr int most_samples_a_turn = 1024;  // so that an overload starves neither commands nor the watch
+constexpr std::size_t most_waiting = 1024;
 constexpr int most_statuses_a_watch = 16;  // a thousand engines' are spread over 0.3 s
 // Under monitor.clock = "source" time may run fast, slow or in the past, so that an age in our own time means nothing;
 // a source that says nothing at all for so long is lost all the same.
 constexpr double source_silence_s = 2.0;
 constexpr std::int64_t malformed_period_ns = 1'000'000'000;
-constexpr double release_drain_s = 0.1;                    // a reader that does not answer is waited for once
-constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that must be over within a second
 }  // namespace
 
 CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& config, EngineTable& engines,
@@ -45,7 +43,8 @@ CycleThread::CycleThread(wire::Participant& participant, const MonitorConfig& co
       descriptions_(participant),
       health_(participant),
       auxiliary_(participant),
-      residuals_(participant) {
+      residuals_(participant),
+      waiting_(most_waiting) {
   wait_set_.attach_condition(sensors_.condition());
   wait_set_.attach_condition(commands_.condition());
   wait_set_.attach_condition(descriptions_.condition());
@@ -73,9 +72,9 @@ void CycleThread::run_once() {
 
 /// What was estimated before its source said in which units the values are has to be forgotten.
 void CycleThread::hear_descriptions() {
-  descriptions_.take([&](std::uint32_t engine_id, std::uint32_t source_id, DescribedSource& source) {
-    EngineSlot* slot = engines_->find(engine_id);
-    if (!slot || slot->cycle.counters().received == 0 || slot->sample.source_id != source_id) return;
+  descriptions_.take([&](const SourceKey& key, DescribedSource& source) {
+    EngineSlot* slot = engines_->find(key.engine_id);
+    if (!slot || slot->participant != key.participant || slot->cycle.source_id() != key.source_id) return;
     const SourceFit before = source.fit;
     source.fit_to(slot->cycle.design().model);
     report_misfits(*slot, source);
@@ -87,41 +86,58 @@ void CycleThread::hear_descriptions() {
 }
 
 void CycleThread::take_samples() {
+  if (!waiting_.empty()) {
+    const std::int64_t now_ns = monotonic_ns();
+    const auto waits = [&](const Arrival& a) {
+      return descriptions_.awaited({a.sample.engine_id(), a.sample.source_id(), a.participant}, a.arrival_ns, now_ns);
+    };
+    waiting_.release(waits, [&](const Arrival& a) { handle(a); });
+  }
   int taken = 0;
-  while (taken < most_samples_a_turn && (held_back_ || sensors_.take(incoming_))) {
-    held_back_ = awaits_description();
-    if (held_back_) break;
-    handle(incoming_, arrival_.monotonic_of(sensors_.received_ns()));
-    ++taken;
+  for (; taken < most_samples_a_turn && sensors_.take(incoming_.sample); ++taken) {
+    incoming_.writer = sensors_.writer();
+    incoming_.participant = sensors_.participant();
+    incoming_.arrival_ns = arrival_.monotonic_of(sensors_.received_ns());
+    if (must_wait(incoming_))
+      waiting_.add(incoming_);
+    else
+      handle(incoming_);
   }
   backlog_ = taken == most_samples_a_turn;
 }
 
-/// Only the first sample of an engine, or of another source or writer than before, may have to wait.
-bool CycleThread::awaits_description() {
-  const EngineSlot* slot = engines_->find(incoming_.engine_id());
-  if (slot && slot->cycle.counters().received > 0 && slot->sample.source_id == incoming_.source_id() &&
-      slot->sample.writer == sensors_.writer())
+/// Only the first samples of an engine, or of another source or writer than before, may have to; who would be dropped
+/// all the same has not.
+bool CycleThread::must_wait(const Arrival& arrival) {
+  const std::uint32_t engine_id = arrival.sample.engine_id(), source_id = arrival.sample.source_id();
+  if (waiting_.full()) return false;
+  if (!waiting_.empty() && waiting_.holds(engine_id, arrival.writer)) return true;
+  const EngineSlot* slot = engines_->find(engine_id);
+  if (slot && slot->cycle.counters().received > 0 &&
+      (slot->cycle.foreign(source_id, arrival.writer) ||
+       (slot->cycle.source_id() == source_id && slot->participant == arrival.participant)))
     return false;
-  return descriptions_.awaited(incoming_.engine_id(), incoming_.source_id(), sensors_.participant(), monotonic_ns());
+  return descriptions_.awaited({engine_id, source_id, arrival.participant}, arrival.arrival_ns, monotonic_ns());
 }
 
-void CycleThread::handle(const EngineSensors& sensors, std::int64_t arrival_ns) {
+void CycleThread::handle(const Arrival& arrival) {
+  const EngineSensors& sensors = arrival.sample;
   turns_.turned();
   EngineSlot* slot = engines_->find(sensors.engine_id());
   if (!slot) slot = admit(sensors);
   if (!slot) return;
   convert(sensors, slot->sample);
-  slot->sample.writer = sensors_.writer();
-  fit_source(*slot);
+  slot->sample.writer = arrival.writer;
+  fit_source(*slot, arrival.participant);
   const std::uint64_t malformed = slot->cycle.counters().malformed;
   if (slot->cycle.counters().received == 0) first_sample(*slot);
   const bool accepted = slot->cycle.estimate(slot->sample);
-  if (accepted || slot->cycle.sequence_stands()) slot->heard_ns = arrival_ns;
+  if (accepted || slot->cycle.sequence_stands()) slot->heard_ns = arrival.arrival_ns;
   if (accepted) {
-    slot->received_ns = arrival_ns;
+    slot->received_ns = arrival.arrival_ns;
+    slot->participant = arrival.participant;
     slot->last_sequence = slot->sample.sequence;
-    publish(*slot, arrival_ns);
+    publish(*slot, arrival.arrival_ns);
   }
   if (records_) records_->sample(*slot, accepted);
   report_events(*slot);
@@ -150,8 +166,8 @@ EngineSlot* CycleThread::admit(const EngineSensors& sensors) {
 }
 
 /// The slot's sample in the design's units.
-void CycleThread::fit_source(EngineSlot& slot) {
-  DescribedSource* source = descriptions_.find(slot.engine_id, slot.sample.source_id);
+void CycleThread::fit_source(EngineSlot& slot, std::uint64_t participant) {
+  DescribedSource* source = descriptions_.find({slot.engine_id, slot.sample.source_id, participant});
   if (!source) return;
   if (const auto& model = slot.cycle.design().model; source->model != &model) {
     source->fit_to(model);
@@ -227,17 +243,6 @@ bool CycleThread::send(EngineSlot& slot, RankedWriter<T>& writer, const T& sampl
   if (slot.released || (peers_ && !peers_->may_write(monotonic_ns()))) return false;
   slot.writes_refused += !writer.write(sample, incumbent());
   return true;
-}
-
-/// What it has raised ends, who reads it learns that it is gone, and its filter is free.
-void CycleThread::leave(EngineSlot& slot, double age_s) {
-  slot.cycle.retire();
-  report_events(slot);
-  report_event(slot, {wire::EventKind::engine_left, 0, true, age_s, forget_engine_s_, 0});
-  reports_.push({Report::Kind::engine_left, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
-  if (records_) records_->marker(slot, recording::RowKind::left);
-  release(slot);
-  engines_->leave(slot);
 }
 
 void CycleThread::watch_input(std::int64_t now_ns) {
@@ -338,52 +343,6 @@ void CycleThread::exchange_table() {
   exchange_.retired.store(engines_, std::memory_order_release);
   engines_ = next;
   descriptions_.forget_models();
-}
-
-/// In the middle of the pause between two samples, when every monitor has written its estimate of the last one; or the
-/// engine has fallen silent.
-bool CycleThread::between_samples(const EngineSlot& slot, std::int64_t now_ns) {
-  const double samples =
-      1e-9 * static_cast<double>(now_ns - slot.received_ns) / slot.cycle.design().model.sample_time_s;
-  return (samples > 0.3 && samples < 0.7) || samples > 2.0;
-}
-
-void CycleThread::release(EngineSlot& slot) {
-  health_sample_.engine_id(slot.engine_id);
-  auxiliary_sample_.engine_id(slot.engine_id);
-  residuals_sample_.engine_id(slot.engine_id);
-  health_.release(health_sample_, incumbent());
-  auxiliary_.release(auxiliary_sample_, incumbent());
-  residuals_.release(residuals_sample_, incumbent());
-  slot.released = true;
-}
-
-void CycleThread::release_all() {
-  const std::int64_t limit_ns = monotonic_ns() + longest_release_ns;
-  leaving_ = true;
-  // A standby is heard from the sample after the release on: without a gap if that falls between two samples.
-  for (bool some_left = true; some_left;) {
-    some_left = false;
-    const std::int64_t now_ns = monotonic_ns();
-    engines_->for_each([&](EngineSlot& slot) {
-      if (slot.released) return;
-      if (!peers_ || now_ns > limit_ns || between_samples(slot, now_ns))
-        release(slot);
-      else
-        some_left = true;
-    });
-    if (some_left) run_once();
-  }
-}
-
-void CycleThread::stop() {
-  release_all();
-  engines_->for_each([&](EngineSlot& slot) { report_status(slot, StatusLevel::stopped, monotonic_ns()); });
-  const std::int64_t limit_ns = monotonic_ns() + last_checkpoints_ns;
-  if (checkpoints_) engines_->for_each([&](EngineSlot& slot) { checkpoints_->keep_last(slot, limit_ns); });
-  // A writer that is deleted takes along what its readers have not got yet, the end of the estimates among it.
-  static_cast<void>(health_.drain(release_drain_s) && auxiliary_.drain(release_drain_s) &&
-                    residuals_.drain(release_drain_s));
 }
 
 }  // namespace ehm::monitor

@@ -10,6 +10,7 @@
 #include "idl/dds/endpoint.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/dds/source_descriptions.h"
+#include "monitor/dds/waiting_room.h"
 #include "monitor/engine_table.h"
 #include "monitor/realtime/arrival_clock.h"
 #include "monitor/record/record_feed.h"
@@ -45,9 +46,9 @@ class CycleThread {
  private:
   void hear_descriptions();
   void take_samples();
-  bool awaits_description();
-  void handle(const EngineSensors& sensors, std::int64_t arrival_ns);
-  void fit_source(EngineSlot& slot);
+  bool must_wait(const Arrival& arrival);
+  void handle(const Arrival& arrival);
+  void fit_source(EngineSlot& slot, std::uint64_t participant);
   void report_misfits(const EngineSlot& slot, DescribedSource& source);
   void report_channel(const EngineSlot& slot, const SourceChannel& channel);
   void publish(EngineSlot& slot, std::int64_t arrival_ns);
@@ -84,8 +85,7 @@ class CycleThread {
   RecordFeed* records_;
   std::uint64_t unknown_engine_samples_ = 0;
   ArrivalClock arrival_;
-  bool backlog_ = false;    ///< the last turn left samples
-  bool held_back_ = false;  ///< the sample last taken waits for its source's description
+  bool backlog_ = false;  ///< the last turn left samples
   std::int64_t watched_ns_ = 0;
   service::TurnCounter& turns_;
 
@@ -99,8 +99,9 @@ class CycleThread {
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 
-  EngineSensors incoming_;
-  Sample stray_;  ///< of an engine that has no filter
+  Arrival incoming_;
+  WaitingRoom waiting_;  ///< for their sources' descriptions
+  Sample stray_;         ///< of an engine that has no filter
   EngineHealth health_sample_;
   EngineAuxiliary auxiliary_sample_;
   EngineResiduals residuals_sample_;

@@ -13,6 +13,7 @@ namespace ehm::monitor {
 struct EngineTally {
   LatencyHistogram latency;
   Sample sample;                              ///< the latest, in order or not
+  std::uint64_t participant = 0;              ///< number of the participant that the latest sample in order is from
   std::uint64_t last_sequence = 0;            ///< of the latest sample in order
   std::int64_t received_ns = 0;               ///< monotonic, of the latest sample in order
   std::int64_t heard_ns = 0;                  ///< the same, or of one whose sequence number stands still

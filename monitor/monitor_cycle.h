@@ -112,6 +112,12 @@ class MonitorCycle {
   const CycleOptions& options() const noexcept { return options_; }
   /// Of the latest sample that was in order.
   const CycleResult& result() const noexcept { return result_; }
+  /// The source that is followed.
+  std::uint32_t source_id() const noexcept { return sample_check_.source_id(); }
+  /// Would a sample of this source and writer be dropped, since another one is followed?
+  bool foreign(std::uint32_t source_id, std::uint64_t writer) const noexcept {
+    return sample_check_.foreign(source_id, writer);
+  }
   bool stale() const noexcept { return input_lost_.raised(); }
   /// Samples arrive, but their sequence number does not grow: none is in order.
   bool sequence_stands() const noexcept { return sequence_watch_.standing(); }

@@ -21,10 +21,10 @@ bool SampleCheck::malformed(const Sample& s) const noexcept {
   return s.actuator_count != static_cast<std::uint32_t>(actuators_);
 }
 
-bool SampleCheck::foreign(const Sample& s) const noexcept {
-  if (only_one() && s.source_id != source_id()) return true;
+bool SampleCheck::foreign(std::uint32_t source_id, std::uint64_t writer) const noexcept {
+  if (only_one() && source_id != this->source_id()) return true;
   if (!bound_) return false;
-  return s.source_id != source_id_ || (s.writer != writer_ && s.writer != 0 && writer_ != 0);
+  return source_id != source_id_ || (writer != writer_ && writer != 0 && writer_ != 0);
 }
 
 SampleDecision SampleCheck::start(const Sample& s, RestartReason reason, double jump_s) noexcept {
@@ -62,7 +62,7 @@ SampleDecision SampleCheck::ahead(const Sample& s, const Place& place, const Ela
 
 SampleDecision SampleCheck::decide(const Sample& s) noexcept {
   if (malformed(s)) return {SampleVerdict::malformed};
-  if (foreign(s)) return {SampleVerdict::foreign};
+  if (foreign(s.source_id, s.writer)) return {SampleVerdict::foreign};
   bound_ = true;
   source_id_ = s.source_id;
   if (s.writer != 0) writer_ = s.writer;

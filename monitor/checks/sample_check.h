@@ -75,13 +75,14 @@ class SampleCheck {
   }
   /// Whoever else may speak, nobody else is followed.
   bool only_one() const noexcept { return options_.source_id != 0; }
+  /// Would a sample of this source and writer be dropped as foreign?
+  bool foreign(std::uint32_t source_id, std::uint64_t writer) const noexcept;
   /// Not of the design's shape.
   bool malformed(const Sample& sample) const noexcept;
   std::uint64_t last_sequence() const noexcept { return order_.last(); }
   std::int64_t last_time_ns() const noexcept { return clock_.last_ns(); }
 
  private:
-  bool foreign(const Sample& sample) const noexcept;
   SampleDecision start(const Sample& sample, RestartReason reason, double jump_s) noexcept;
   SampleDecision ahead(const Sample& sample, const Place& place, const Elapsed& elapsed) noexcept;
   bool overtaken(const Sample& sample, std::uint64_t behind, const Elapsed& elapsed) const noexcept;

@@ -46,7 +46,7 @@ void DescribedSource::fit_to(const estimation::LinearModel& m) noexcept {
   for (std::size_t i = 0; i < actuators_of(m); ++i) fit.actuators[i] = fit_channel(actuators[i].words(), m.controls, i);
 }
 
-DescribedSource* SourceDescriptions::place(const Key& key) {
+DescribedSource* SourceDescriptions::place(const SourceKey& key) {
   const auto known = sources_.find(key);
   if (known != sources_.end()) return &known->second;
   return sources_.size() < most_sources ? &sources_[key] : nullptr;
@@ -55,7 +55,7 @@ DescribedSource* SourceDescriptions::place(const Key& key) {
 DescribedSource* SourceDescriptions::keep(const EngineDescription& d) {
   if (d.role() != static_cast<std::uint32_t>(wire::DescriptionRole::source) || d.schema() != wire::schema_version)
     return nullptr;
-  DescribedSource* source = place({d.engine_id(), d.source_id()});
+  DescribedSource* source = place({d.engine_id(), d.source_id(), reader_.participant()});
   if (!source) return nullptr;
   source->sensor_count = copy_channels(d.sensors(), d.sensor_count(), source->sensors);
   source->actuator_count = copy_channels(d.actuators(), d.actuator_count(), source->actuators);
@@ -64,20 +64,17 @@ DescribedSource* SourceDescriptions::keep(const EngineDescription& d) {
   return source;
 }
 
-DescribedSource* SourceDescriptions::find(std::uint32_t engine_id, std::uint32_t source_id) noexcept {
-  const auto found = sources_.find({engine_id, source_id});
+DescribedSource* SourceDescriptions::find(const SourceKey& key) noexcept {
+  const auto found = sources_.find(key);
   return found != sources_.end() && found->second.described ? &found->second : nullptr;
 }
 
-bool SourceDescriptions::awaited(std::uint32_t engine_id, std::uint32_t source_id, std::uint64_t participant,
-                                 std::int64_t now_ns) {
-  if (!find(engine_id, source_id) && reader_.hears(participant)) {
-    DescribedSource* source = place({engine_id, source_id});
-    if (waiting_since_ns_ == 0) waiting_since_ns_ = now_ns;
-    if (source && !source->waited_for && now_ns - waiting_since_ns_ < longest_wait_ns) return true;
-    if (source) source->waited_for = true;
-  }
-  waiting_since_ns_ = 0;
+bool SourceDescriptions::awaited(const SourceKey& key, std::int64_t since_ns, std::int64_t now_ns) {
+  const auto known = sources_.find(key);
+  if (known != sources_.end() && (known->second.described || known->second.waited_for)) return false;
+  if (!reader_.hears(key.participant)) return false;
+  if (now_ns - since_ns < longest_wait_ns) return true;
+  if (DescribedSource* source = place(key)) source->waited_for = true;
   return false;
 }
 

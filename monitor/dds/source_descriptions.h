@@ -3,22 +3,30 @@
 // the design that flies (checks/source_fit.h).
 //
 // A description travels beside the samples and may come after the first of them. A source whose participant has a
-// writer of descriptions is therefore waited for, once, for 50 ms at most: no sample is used before its units are
-// known. Sources that describe nothing are not waited for; their units are taken as the design's.
+// writer of descriptions is therefore waited for, once, for 50 ms at most (waiting_room.h): no sample is used before its
+// units are known. Sources that describe nothing are not waited for; their units are taken as the design's. Only the
+// participant that sends the samples describes them: what others say under the same source_id is not heard.
 //
 // Real-time safe: yes, but for a source's first description, which allocates its place, and the first sample of an
 // engine or writer, which takes a lock.
 
 #include <array>
+#include <compare>
 #include <map>
-#include <utility>
 
 #include "idl/dds/endpoint.h"
 #include "monitor/checks/source_fit.h"
 
 namespace ehm::monitor {
 
-/// One source of one engine.
+/// A source of one engine.
+struct SourceKey {
+  std::uint32_t engine_id = 0, source_id = 0;
+  std::uint64_t participant = 0;  ///< its number (idl/dds/qos.h)
+  friend auto operator<=>(const SourceKey&, const SourceKey&) = default;
+};
+
+/// What it has said.
 struct DescribedSource {
   std::array<DescribedChannel, estimation::max_sensors> sensors;
   std::array<DescribedChannel, estimation::max_actuators> actuators;
@@ -40,33 +48,31 @@ class SourceDescriptions {
   explicit SourceDescriptions(wire::Participant& participant) : reader_(participant) {}
 
   eprosima::fastdds::dds::StatusCondition& condition() { return reader_.condition(); }
-  /// Takes what has come, and calls `said(engine_id, source_id, source)` for each description of a source; its `fit`
-  /// is still of what it said before, and its `model` null.
+  /// Takes what has come, and calls `said(key, source)` for each description of a source; its `fit` is still of what it
+  /// said before, and its `model` null.
   template <class Said>
   void take(Said&& said) {
     for (int taken = 0; taken < most_a_turn && reader_.take(incoming_);)
       if (DescribedSource* source = keep(incoming_)) {
         ++taken;
-        said(incoming_.engine_id(), incoming_.source_id(), *source);
+        said(SourceKey{incoming_.engine_id(), incoming_.source_id(), reader_.participant()}, *source);
       }
   }
   /// Null for a source that has described nothing.
-  DescribedSource* find(std::uint32_t engine_id, std::uint32_t source_id) noexcept;
-  /// Is a description of this source to be waited for at `now_ns` (monotonic)? `participant`: of the sample's writer.
-  bool awaited(std::uint32_t engine_id, std::uint32_t source_id, std::uint64_t participant, std::int64_t now_ns);
+  DescribedSource* find(const SourceKey& key) noexcept;
+  /// Is a description of this source still to be waited for, by a sample that waits since `since_ns` (monotonic)?
+  bool awaited(const SourceKey& key, std::int64_t since_ns, std::int64_t now_ns);
   /// Models have gone: every fit is made anew.
   void forget_models() noexcept;
 
  private:
-  using Key = std::pair<std::uint32_t, std::uint32_t>;  ///< engine_id, source_id
   DescribedSource* keep(const EngineDescription& description);
-  DescribedSource* place(const Key& key);
+  DescribedSource* place(const SourceKey& key);
 
   static constexpr int most_a_turn = 64;
   wire::Reader<EngineDescription> reader_;
   EngineDescription incoming_;
-  std::map<Key, DescribedSource> sources_;
-  std::int64_t waiting_since_ns_ = 0;  ///< 0: for nobody
+  std::map<SourceKey, DescribedSource> sources_;
 };
 
 }  // namespace ehm::monitor

@@ -184,6 +184,25 @@ TEST_F(DescribedSourceTest, IsConvertedFromItsFirstSampleOn) {
                         "degC to K"));
 }
 
+TEST_F(DescribedSourceTest, WhatAStrangerSaysInItsNameIsNotHeard) {
+  monitor_ = start_monitor();
+  wire::Participant participant(options(domain_)), elsewhere(options(domain_));
+  wire::Writer<EngineDescription> descriptions(participant), forged(elsewhere);
+  wire::Writer<EngineSensors> sensors(participant);
+  meet(sensors);
+  ASSERT_TRUE(listener_.await([&] { return forged.matched() == 2; }));
+  forged.write(in_celsius());
+  descriptions.write(description());
+  const auto unchanged = [](EngineSensors s) { return s; };
+  fly(sensors, 5, unchanged);
+  forged.write(in_celsius());
+  ASSERT_TRUE(forged.drain(5.0));  // the monitor has it
+  fly(sensors, 20, unchanged);
+  for (const EngineResiduals& r : answers()) EXPECT_EQ(r.fused(), 0b1111111u) << r.sequence_number();
+  EXPECT_FALSE(listener_.has_event(wire::EventKind::filter_restart, true));
+  EXPECT_EQ(channel_event(true), nullptr);
+}
+
 TEST_F(DescribedSourceTest, ThatSpeaksLateStartsTheFilterAnewInTheRightUnits) {
   monitor_ = start_monitor();
   wire::Participant participant(options(domain_));
