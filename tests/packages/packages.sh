@@ -52,8 +52,9 @@ version=$(dpkg-deb -f "${debs[0]}" Version)
 next=${version%.*}.$((${version##*.} + 1))
 lintian --no-cfg --allow-root --fail-on error "${debs[@]}" >"$work/lintian" ||
   { cat "$work/lintian"; fail "lintian found errors"; }
+dpkg-deb -c "${debs[3]}" >"$work/contents"
 for example in subscriber_c subscriber_cpp sensor_source_c; do
-  dpkg-deb -c "${debs[3]}" | grep -q " ./usr/share/doc/ehm-dev/examples/$example/CMakeLists.txt$" ||
+  grep -q " ./usr/share/doc/ehm-dev/examples/$example/CMakeLists.txt$" "$work/contents" ||
     fail "ehm-dev has no example $example"
 done
 passed "lintian: no error, $(grep -c '^W:' "$work/lintian" || true) warnings in ${#debs[@]} packages"
