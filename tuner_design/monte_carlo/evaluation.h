@@ -32,8 +32,8 @@ struct EvaluateOptions {
   std::uint64_t seed = 1;
   unsigned threads = work::all_cores();
   Hold hold = Hold::fan_speed;
-  double wear = 1.0;           ///< the engines' health is drawn so many times wider than the fleet's
-  bool process_noise = true;   ///< the Kalman filter's engine moves by the model's w; without it it is in balance
+  double wear = 1.0;          ///< the engines' health is drawn so many times wider than the fleet's
+  bool process_noise = true;  ///< the Kalman filter's engine moves by the model's w; without it it is in balance
 };
 
 /// Sums of the squared errors over channels (SSEE).
