@@ -98,10 +98,12 @@ void CycleThread::take_samples() {
     incoming_.writer = sensors_.writer();
     incoming_.participant = sensors_.participant();
     incoming_.arrival_ns = arrival_.monotonic_of(sensors_.received_ns());
-    if (must_wait(incoming_))
-      waiting_.add(incoming_);
-    else
+    if (!must_wait(incoming_)) {
       handle(incoming_);
+      continue;
+    }
+    if (waiting_.full()) waiting_.release([](const Arrival&) { return false; }, [&](const Arrival& a) { handle(a); });
+    waiting_.add(incoming_);
   }
   backlog_ = taken == most_samples_a_turn;
 }
@@ -110,7 +112,6 @@ void CycleThread::take_samples() {
 /// all the same has not.
 bool CycleThread::must_wait(const Arrival& arrival) {
   const std::uint32_t engine_id = arrival.sample.engine_id(), source_id = arrival.sample.source_id();
-  if (waiting_.full()) return false;
   if (!waiting_.empty() && waiting_.holds(engine_id, arrival.writer)) return true;
   const EngineSlot* slot = engines_->find(engine_id);
   if (slot && slot->cycle.counters().received > 0 &&

@@ -30,8 +30,8 @@ design::Design small_design() {
   m.A = Eigen::MatrixXd::Constant(1, 1, 0.5);
   m.B = m.L = Eigen::MatrixXd::Zero(1, 1);
   m.C = Eigen::MatrixXd::Zero(3, 1);
-  m.D = Eigen::Vector3d(1000.0, 500.0, 100.0);  // per kg/s
-  m.M = Eigen::Vector3d(1000.0, 200.0, 100.0);  // per unit of health
+  m.D = Eigen::Vector3d(1000.0, 500.0, 100.0);    // per kg/s
+  m.M = Eigen::Vector3d(1000.0, 200.0, 100.0);    // per unit of health
   m.F = m.G = m.N = Eigen::MatrixXd::Zero(0, 1);  // nothing else is estimated
   m.operating_point = estimation::OperatingPoint{10000.0, 0.8, 0.0};
   return design;

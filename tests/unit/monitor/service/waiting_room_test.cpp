@@ -38,6 +38,17 @@ TEST(WaitingRoom, LetsGoInOrderWhoWaitsNoMore) {
   EXPECT_TRUE(room.empty());
 }
 
+TEST(WaitingRoom, OfOneWriterAndEngineNoneOvertakesAnother) {
+  WaitingRoom room(8);
+  for (std::uint64_t k = 0; k < 3; ++k) room.add(arrival(1, 7, k));
+  room.add(arrival(2, 7, 10));
+  std::vector<std::uint64_t> order;
+  room.release([](const Arrival& a) { return a.sample.sequence_number() == 0; },
+               [&](const Arrival& a) { order.push_back(a.sample.sequence_number()); });
+  EXPECT_THAT(order, testing::ElementsAre(10));
+  EXPECT_THAT(released(room, 0), testing::ElementsAre(0, 1, 2));
+}
+
 TEST(WaitingRoom, SaysWhenItIsFull) {
   WaitingRoom room(2);
   room.add(arrival(1, 7, 0));
