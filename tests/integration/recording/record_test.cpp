@@ -193,7 +193,7 @@ TEST_F(RecordTest, BadSamplesResetsSilenceAndASecondSourceAreRepeatedOffline) {
   EXPECT_EQ(rows_of(rows, 5, RowKind::reset).size(), 1u);
   EXPECT_GE(rows_of(rows, 5, RowKind::input_lost).size(), 1u);
   const auto dropped = std::count_if(recorded.begin(), recorded.end(), [](const Row& r) { return r.a.accepted == 0; });
-  EXPECT_EQ(dropped, 4);  // duplicate, overtaken, malformed, foreign
+  EXPECT_EQ(dropped, 4);                       // duplicate, overtaken, malformed, foreign
   EXPECT_EQ(recorded[104].a.sensor_count, 0);  // 99 sensors describe none (idl/dds/tidy.h)
   EXPECT_EQ(recorded.back().a.source_id, 10);
   EXPECT_EQ(recorded.back().a.accepted, 1);
