@@ -46,6 +46,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App* sub) { return !sub->get_name().empty(); }))
+    names.push_back(command->get_name());
+  return names;
+}
+
 /// Near as a whole, or without its section: --domain is near --dds-domain.
 std::string nearest_option(const std::string& written, const std::vector<std::string>& known) {
   if (std::string whole = nearest_name(written, known); !whole.empty()) return whole;
@@ -65,7 +72,8 @@ std::string meant_text(const std::string& near) {
 }
 
 std::string unknown_text(const CLI::App& app, const std::string& word) {
-  if (!word.starts_with('-') || word == "-") return "unexpected argument '" + word + "'.";
+  if (!word.starts_with('-') || word == "-")
+    return "unexpected argument '" + word + "'" + meant_text(nearest_name(word, command_names(app)));
   const std::string option = word.substr(0, word.find('='));
   return "unknown option " + option + meant_text(nearest_option(option, option_names(app)));
 }

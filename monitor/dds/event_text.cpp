@@ -53,8 +53,7 @@ std::string sensor_fault(const Event& e, const estimation::LinearModel& model) {
   if (e.detail & reason::quiet)
     return fmt::format(
         "stuck: its noise is missing, it moves by {:.3g} {} where a healthy one moves by {:.3g} at least; "
-        "stuck_samples = 0 "
-        "in its [[sensor]] table turns this off",
+        "stuck_samples = 0 in its [[sensor]] table turns this off",
         e.value, sensor.unit, e.threshold);
   if (e.detail & reason::stuck)
     return fmt::format(

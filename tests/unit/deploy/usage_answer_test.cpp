@@ -55,6 +55,11 @@ TEST_F(UsageAnswerTest, NothingNearIsNoSuggestion) {
   EXPECT_EQ(answer({"extra"}), "flyer: unexpected argument 'extra'. See flyer --help\n");
 }
 
+TEST_F(UsageAnswerTest, AWordNearACommandMeansIt) {
+  EXPECT_EQ(answer({"--dds-domain", "3", "lnad"}),
+            "flyer: unexpected argument 'lnad'; did you mean land? See flyer --help\n");
+}
+
 TEST_F(UsageAnswerTest, ACommandAnswersForItsOwnOptions) {
   EXPECT_EQ(answer({"land", "--gaer", "3"}),  // --gear is missing, because it is misspelt
             "flyer land: unknown option --gaer; did you mean --gear? See flyer land --help\n");
