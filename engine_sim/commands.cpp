@@ -4,13 +4,13 @@
 #include <ostream>
 #include <string>
 
-#include "deploy/config/usage_answer.h"
-#include "deploy/files/file_error.h"
-#include "deploy/service/exit_code.h"
+#include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/service/exit_code.h"
 #include "engine_sim/deck/deck_command.h"
 #include "engine_sim/figures/maps_command.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 void add_commands(CLI::App& app, Command& run) {
   add_deck_command(app, run);
@@ -46,4 +46,4 @@ std::optional<int> run_command(int argc, const char* const* argv, std::ostream& 
   }
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

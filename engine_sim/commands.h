@@ -6,7 +6,7 @@
 #include <iosfwd>
 #include <optional>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 using Command = std::function<void(std::ostream& out, std::ostream& err)>;
 /// The commands as subcommands of `app`; parsing sets `run` to the chosen one.
@@ -19,4 +19,4 @@ inline constexpr const char* command_help =
 /// argument is an option or absent, which is the service's own command line.
 std::optional<int> run_command(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -7,15 +7,15 @@
 #include <memory>
 #include <string>
 
-#include "deploy/config/command_line.h"
-#include "deploy/config/schema.h"
-#include "deploy/files/file_error.h"
-#include "deploy/service/exit_code.h"
-#include "deploy/service/ignored_signals.h"
-#include "deploy/service/log.h"
-#include "deploy/service/stop_deadline.h"
-#include "deploy/service/stop_signal.h"
-#include "deploy/service/written.h"
+#include "deploy/runtime/config/command_line.h"
+#include "deploy/runtime/config/schema.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/service/exit_code.h"
+#include "deploy/runtime/service/ignored_signals.h"
+#include "deploy/runtime/service/log.h"
+#include "deploy/runtime/service/stop_deadline.h"
+#include "deploy/runtime/service/stop_signal.h"
+#include "deploy/runtime/service/written.h"
 #include "engine_sim/commands.h"
 #include "engine_sim/linear/linear_engine.h"
 #include "engine_sim/replay/replay.h"
@@ -30,19 +30,18 @@ namespace {
 using namespace ehm;
 
 /// The turbofan, or the user's own model. @throws std::runtime_error naming the keys that are wrong.
-std::unique_ptr<engine::SimulatedEngine> make_engine(const engine::SimConfig& config) {
+std::unique_ptr<engine_sim::SimulatedEngine> make_engine(const engine_sim::SimConfig& config) {
   try {
-    if (config.linear) return std::make_unique<engine::LinearEngine>(*config.linear, config.scenario);
-    return std::make_unique<engine::Simulation>(config.scenario);
+    if (config.linear) return std::make_unique<engine_sim::LinearEngine>(*config.linear, config.scenario);
+    return std::make_unique<engine_sim::Simulation>(config.scenario);
   } catch (const std::exception& e) {
     throw std::runtime_error(
-        (config.linear ? "'linear.model': " + config.linear_model + ": " : "'demand', 'flight' or 'wear': ") +
-        e.what());
+        (config.linear ? "'linear.model': " + config.linear_file + ": " : "'demand', 'flight' or 'wear': ") + e.what());
   }
 }
 
 /// A recording instead of a flight: the same exit codes.
-int replay(const engine::SimConfig& config, bool check_only) {
+int replay(const engine_sim::SimConfig& config, bool check_only) {
   try {
     const auto rows = recording::open_rows(config.replay.file, config.replay.column_map);
     if (check_only) {
@@ -51,7 +50,7 @@ int replay(const engine::SimConfig& config, bool check_only) {
     }
     const service::StopSignal stop;
     const service::StopDeadline deadline;
-    engine::run_replay(config, *rows, stop);
+    engine_sim::run_replay(config, *rows, stop);
     service::StopDeadline::in_order();
     return service::exit_ok;
   } catch (const files::FileError& e) {
@@ -67,29 +66,29 @@ int replay(const engine::SimConfig& config, bool check_only) {
 }
 
 int run(int argc, char** argv) {
-  if (const auto code = engine::run_command(argc, argv, std::cout, std::cerr)) return *code;
+  if (const auto code = engine_sim::run_command(argc, argv, std::cout, std::cerr)) return *code;
   service::ignore_fatal_signals();
   service::start_log("engine_sim");
 
-  engine::SimConfig config;
+  engine_sim::SimConfig config;
   config::Schema schema;
-  engine::declare(schema, config);
+  engine_sim::declare(schema, config);
 
   config::CommandLine line;
   const std::string purpose =
       std::string("Flies a nonlinear turbofan, or a linear model of your own, and publishes its sensors on DDS.\n") +
-      engine::command_help;
+      engine_sim::command_help;
   CLI::App commands;
-  engine::Command run_none;
-  engine::add_commands(commands, run_none);
+  engine_sim::Command run_none;
+  engine_sim::add_commands(commands, run_none);
   if (const auto code = config::parse_command_line(argc, argv, "engine_sim", purpose, schema, line, &commands))
     return *code;
 
   try {
     schema.load(line.file);
-    engine::finish_config(config, schema);
-    wire::check_security(config.security);
-    wire::require_descriptors();
+    engine_sim::finish_config(config, schema);
+    idl::check_security(config.security);
+    idl::require_descriptors();
     spdlog::set_level(spdlog::level::from_str(config.log_level));
   } catch (const std::exception& e) {
     std::cerr << "engine_sim: " << e.what() << '\n';
@@ -97,7 +96,7 @@ int run(int argc, char** argv) {
   }
 
   if (!config.replay.file.empty()) return replay(config, line.check_config);
-  std::unique_ptr<engine::SimulatedEngine> simulated;
+  std::unique_ptr<engine_sim::SimulatedEngine> simulated;
   try {
     simulated = make_engine(config);
   } catch (const std::exception& e) {
@@ -112,7 +111,7 @@ int run(int argc, char** argv) {
   try {
     const service::StopSignal stop;
     const service::StopDeadline deadline;
-    engine::run(config, *simulated, stop);
+    engine_sim::run(config, *simulated, stop);
     service::StopDeadline::in_order();
     return service::exit_ok;
   } catch (const std::exception& e) {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstdint>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class Pacer {
  public:
@@ -43,4 +43,4 @@ class Pacer {
   std::uint64_t slips_ = 0;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <optional>
 
-#include "deploy/service/notify.h"
-#include "deploy/service/watchdog.h"
+#include "deploy/runtime/service/notify.h"
+#include "deploy/runtime/service/watchdog.h"
 #include "engine_sim/dds/command_desk.h"
 #include "engine_sim/dds/lockstep.h"
 #include "engine_sim/dds/sim_publisher.h"
@@ -15,7 +15,7 @@
 #include "engine_sim/dds/watched_participant.h"
 #include "engine_sim/pacer.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 namespace {
 
@@ -138,4 +138,4 @@ void run(const SimConfig& config, SimulatedEngine& engine, const service::StopSi
                pacer.slips(), 1e-6 * static_cast<double>(pacer.worst_ns()));
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "engine_sim/model/gas_path.h"
-#include "engine_sim/model/steady.h"
+#include "engine_sim/model/solve/steady.h"
 #include "engine_sim/sensors/sensor.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct EngineChannel {
   std::string name, unit;
@@ -62,4 +62,4 @@ class SimulatedEngine {
   virtual void inject(std::size_t sensor, const SensorFault& fault) = 0;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -4,10 +4,10 @@
 #include <sstream>
 #include <string>
 
-#include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/engines/jt9d.h"
 #include "engine_sim/simulation_channels.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 namespace {
 
@@ -131,4 +131,4 @@ bool Simulation::can_wear(std::size_t parameter, double target, double ramp_s) c
   });
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -3,7 +3,7 @@
 // DDS.
 //
 // Sample k is taken at t = k dt. The fuel flow of sample k acts from t to t + dt, and its direct effect on pressures
-// and temperatures is in the readings of sample k: u[k] of THEORY.md section 4.
+// and temperatures is in the readings of sample k: u[k] of theory.md, section 4.
 // A demand out of reach is no error: the control's limits hold the engine. Only the start is the caller's to choose.
 // @throws FlightError when the first demand or the flight leaves no running engine; the message says when, where, what
 // was demanded, and which balance does not close.
@@ -20,7 +20,7 @@
 #include "engine_sim/scenario/flight_profile.h"
 #include "engine_sim/simulated_engine.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct SimSample {
   std::uint64_t sequence = 0;
@@ -88,4 +88,4 @@ class Simulation : public SimulatedEngine {
   std::uint64_t sequence_ = 0;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

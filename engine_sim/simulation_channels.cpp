@@ -4,7 +4,7 @@
 
 #include "engine_sim/simulation.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 EngineChannels channels_of(const Scenario& scenario, const SteadyPoint& nominal, const SensorSuite& sensors) {
   EngineChannels c{scenario.engine_type, scenario.sample_time_s, {}, {}, {}, {}};
@@ -40,4 +40,4 @@ std::string Simulation::start_text() const {
   return text.str();
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

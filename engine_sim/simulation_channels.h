@@ -6,9 +6,9 @@
 #include "engine_sim/sensors/sensor_suite.h"
 #include "engine_sim/simulated_engine.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// `nominal`: the new engine at the start of the flight, whose values are the trims.
 EngineChannels channels_of(const Scenario& scenario, const SteadyPoint& nominal, const SensorSuite& sensors);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

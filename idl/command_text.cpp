@@ -4,7 +4,7 @@
 
 #include "idl/wire_values.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::string order_text(const MonitorCommand& c, const OrderedChannel&) {
   return c.engine_id() == 0 ? "reset of the filters of all engines" : "reset of the filter";
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -5,7 +5,7 @@
 
 #include "engine_health.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// What the description topic says of the channel that an order is about.
 struct OrderedChannel {
@@ -16,4 +16,4 @@ struct OrderedChannel {
 std::string order_text(const SimCommand& command, const OrderedChannel& channel);
 std::string order_text(const MonitorCommand& command, const OrderedChannel& none = {});
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

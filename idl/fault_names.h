@@ -9,7 +9,7 @@
 
 #include "idl/wire_values.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// Of SensorFaultKind, by value.
 inline constexpr std::array sensor_fault_names{"none", "bias", "drift", "stuck", "dropout", "noise"};
@@ -22,4 +22,4 @@ inline std::optional<SensorFaultKind> sensor_fault_kind(std::string_view name) {
   return static_cast<SensorFaultKind>(found - sensor_fault_names.begin());
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -1,13 +1,13 @@
 #pragma once
 // The memory layout of the stream types equals their serialised layout (XCDR1, little endian): Fast DDS then copies
-// them in one piece. The generator decides this from the IDL and misjudges tail padding (DESIGN.md), so it is held
+// them in one piece. The generator decides this from the IDL and misjudges tail padding (deploy/docs/architecture.md, "Why it is as it is"), so it is held
 // here.
 
 #include <cstddef>
 
 #include "engine_health.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace layout {
 inline constexpr std::size_t word = 4, number = 8;
@@ -25,4 +25,4 @@ static_assert(sizeof(MonitorStatus) == 6 * layout::word + 30 * layout::number);
 static_assert(sizeof(SimCommand) == 6 * layout::word + 4 * layout::number);
 static_assert(sizeof(MonitorCommand) == 4 * layout::word);
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// Length of the UTF-8 character that begins at `i`; 0 if none does, or if it is a control character (C0, DEL, C1).
 inline std::size_t printable_length(std::string_view text, std::size_t i) {
@@ -37,4 +37,4 @@ inline std::string printable(std::string text) {
   return text;
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

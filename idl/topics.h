@@ -1,9 +1,9 @@
 #pragma once
-// Which type travels on which topic, and how: the table of DESIGN.md as code.
+// Which type travels on which topic, and how: the table of the table of topics in the README (or architecture.md, "Fixed contracts") as code.
 
 #include "engine_healthPubSubTypes.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// How a topic is delivered; idl/dds/qos.h turns it into DDS policies.
 enum class Delivery {
@@ -46,4 +46,4 @@ EHM_TOPIC(CommandReply, command, Role::other)
 
 #undef EHM_TOPIC
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

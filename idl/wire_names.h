@@ -7,7 +7,7 @@
 
 #include "idl/wire_values.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// "?" for a value that this version does not know.
 inline const char* level_name(std::uint32_t level) {
@@ -58,4 +58,4 @@ inline constexpr std::array<std::pair<std::uint32_t, const char*>, 6> estimate_f
      {estimate_flag::shifted, "shifted"},
      {estimate_flag::implausible, "implausible"}}};
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

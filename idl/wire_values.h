@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 inline constexpr std::uint32_t schema_version = 1;
 
@@ -109,4 +109,4 @@ enum class SensorFaultKind : std::uint32_t {
 
 enum class MonitorCommandKind : std::uint32_t { reset = 1 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -4,23 +4,23 @@
 
 #include <iostream>
 
-#include "deploy/config/command_line.h"
-#include "deploy/config/schema.h"
-#include "deploy/files/atomic_file.h"
-#include "deploy/files/file_error.h"
-#include "deploy/service/exit_code.h"
-#include "deploy/service/ignored_signals.h"
-#include "deploy/service/log.h"
-#include "deploy/service/reload_signal.h"
-#include "deploy/service/written.h"
+#include "deploy/runtime/config/command_line.h"
+#include "deploy/runtime/config/schema.h"
+#include "deploy/runtime/files/atomic_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/service/exit_code.h"
+#include "deploy/runtime/service/ignored_signals.h"
+#include "deploy/runtime/service/log.h"
+#include "deploy/runtime/service/reload_signal.h"
+#include "deploy/runtime/service/written.h"
 #include "idl/dds/descriptors.h"
 #include "idl/dds/security.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
-#include "monitor/config.h"
-#include "monitor/engine_table.h"
 #include "monitor/listen/listen.h"
-#include "monitor/offline.h"
-#include "monitor/service.h"
+#include "monitor/service/config.h"
+#include "monitor/service/engine_table.h"
+#include "monitor/service/offline.h"
+#include "monitor/service/service.h"
 
 namespace {
 
@@ -61,9 +61,9 @@ int run(int argc, char** argv) {
   try {
     schema.load(line.file);
     monitor::finish_config(config);
-    wire::check_security(config.security);
-    wire::check_profile(monitor::service_participant(config));
-    wire::require_descriptors();
+    idl::check_security(config.security);
+    idl::check_profile(monitor::service_participant(config));
+    idl::require_descriptors();
     spdlog::set_level(spdlog::level::from_str(config.log_level));
     // The flight goes on without what cannot be written; whoever only checks wants to know of it.
     if (line.check_config && !config.checkpoint_directory.empty())

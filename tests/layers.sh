@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Dependencies point one way (DESIGN.md): greps the includes of each layer for what it must not know.
+# Dependencies point one way (deploy/docs/architecture.md, "The house"): greps the includes of each layer for what it must not know.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 failures=0
@@ -21,7 +21,7 @@ forbid() {
 dds='fastdds|fastrtps|engine_health|idl/dds|idl/topics|idl/layout'
 outside="$dds|spdlog|chrono|thread|mutex|fstream|iostream|cstdio|time\.h|filesystem"
 pure=(engine_sim/model engine_sim/control engine_sim/sensors monitor/estimation monitor/checks monitor/judge
-  monitor/monitor_cycle.h monitor/monitor_cycle.cpp monitor/cycle_faults.cpp deploy/units)
+  monitor/cycle/monitor_cycle.h monitor/cycle/monitor_cycle.cpp monitor/cycle/cycle_faults.cpp deploy/runtime/units)
 
 forbid "physics and estimation know no DDS, clock, thread, log or file" "$outside" "${pure[@]}"
 mapfile -t truth < <(find engine_sim -mindepth 1 -maxdepth 1 ! -name linear)
@@ -33,8 +33,8 @@ forbid "estimation stands below everything" 'monitor/(checks|judge|dds|design|mo
 forbid "the monitor flies without the bench and without the simulator" 'tuner_design/|engine_sim/(control|sensors|scenario|dds|simulation)' monitor
 forbid "the bench is offline: no DDS" "$dds" tuner_design monitor/design
 forbid "the offline commands need no DDS" "$dds" engine_sim/deck engine_sim/figures engine_sim/commands.h engine_sim/commands.cpp
-forbid "files know no program" 'engine_sim/|monitor/|tuner_design/' deploy/files deploy/recording deploy/units
-forbid "recordings know no DDS" "$dds" deploy/recording
+forbid "files know no program" 'engine_sim/|monitor/|tuner_design/' deploy/runtime/files deploy/runtime/recording deploy/runtime/units
+forbid "recordings know no DDS" "$dds" deploy/runtime/recording
 forbid "operators' tools know no service, only the wire" 'engine_sim/|monitor/|tuner_design/' deploy/client deploy/command
 forbid "the wire knows no service" 'engine_sim/|monitor/|tuner_design/' idl
 forbid "nothing includes the tests" 'tests/' engine_sim monitor tuner_design idl deploy

@@ -48,7 +48,7 @@ sanitized() {
 }
 
 if [ "$full" = yes ]; then
-  # Fast DDS deletes some objects through a base class of another size (DESIGN.md).
+  # Fast DDS deletes some objects through a base class of another size (CONTRIBUTING.md).
   export ASAN_OPTIONS=new_delete_type_mismatch=0:detect_leaks=1
   export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
   export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp history_size=7"

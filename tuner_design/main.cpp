@@ -2,10 +2,10 @@
 
 #include <iostream>
 
-#include "deploy/service/written.h"
-#include "tuner_design/commands.h"
+#include "deploy/runtime/service/written.h"
+#include "tuner_design/cli/commands.h"
 
 int main(int argc, char** argv) {
-  const int code = ehm::bench::run_tuner_design(argc, argv, std::cout, std::cerr);
+  const int code = ehm::tuner_design::run_tuner_design(argc, argv, std::cout, std::cerr);
   return ehm::service::written(code, std::cout, std::cerr, "tuner_design");
 }

@@ -25,8 +25,8 @@ void add_client_options(CLI::App& app, ClientOptions& options) {
       ->envname("EHM_DDS_SECURITY");
 }
 
-wire::ParticipantOptions participant_options(const ClientOptions& options, const std::string& program) {
-  wire::ParticipantOptions participant;
+idl::ParticipantOptions participant_options(const ClientOptions& options, const std::string& program) {
+  idl::ParticipantOptions participant;
   participant.domain = options.domain;
   participant.name = program;
   participant.profiles_file = options.profiles_file;
@@ -41,8 +41,8 @@ wire::ParticipantOptions participant_options(const ClientOptions& options, const
 }
 
 void check_files(const ClientOptions& options) {
-  wire::check_security(options.security);
-  wire::check_profile(participant_options(options, ""));
+  idl::check_security(options.security);
+  idl::check_profile(participant_options(options, ""));
 }
 
 }  // namespace ehm::client

@@ -18,8 +18,8 @@ struct ClientOptions {
 void add_client_options(CLI::App& app, ClientOptions& options);
 /// `program` is the name that other participants see, and begins each line on standard error about peers that cannot
 /// be heard.
-wire::ParticipantOptions participant_options(const ClientOptions& options, const std::string& program);
-/// Nothing if the files that are named can be used. @throws wire::DdsError naming the file
+idl::ParticipantOptions participant_options(const ClientOptions& options, const std::string& program);
+/// Nothing if the files that are named can be used. @throws idl::DdsError naming the file
 void check_files(const ClientOptions& options);
 
 }  // namespace ehm::client

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "deploy/config/table_reader.h"
-#include "deploy/files/csv_table.h"
+#include "deploy/runtime/config/table_reader.h"
+#include "deploy/runtime/files/csv_table.h"
 
 namespace ehm::client {
 

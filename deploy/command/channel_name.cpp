@@ -33,12 +33,12 @@ std::size_t find_channel(const std::string& name, std::span<const ChannelDescrip
                                    name, list_of(channels)));
 }
 
-wire::OrderedChannel address(Order& order, std::uint32_t engine_id, std::span<const EngineDescription> descriptions) {
+idl::OrderedChannel address(Order& order, std::uint32_t engine_id, std::span<const EngineDescription> descriptions) {
   std::visit([&](auto& command) { command.engine_id(engine_id); }, order.command);
   if (order.channel_kind == ChannelKind::none) return {};
   const bool sensor = order.channel_kind == ChannelKind::sensor;
   std::optional<std::size_t> number;
-  wire::OrderedChannel channel;
+  idl::OrderedChannel channel;
   for (const auto& d : descriptions) {
     const std::span<const ChannelDescription> channels =
         sensor ? std::span(d.sensors()).first(d.sensor_count()) : std::span(d.health()).first(d.health_count());

@@ -25,6 +25,6 @@ std::size_t find_channel(const std::string& name, std::span<const ChannelDescrip
 /// without a channel needs no description, and gets an empty one back.
 /// @throws UnknownChannel, also where those who describe the engine number the channel differently: one order cannot
 ///         mean both
-wire::OrderedChannel address(Order& order, std::uint32_t engine_id, std::span<const EngineDescription> descriptions);
+idl::OrderedChannel address(Order& order, std::uint32_t engine_id, std::span<const EngineDescription> descriptions);
 
 }  // namespace ehm::operating

@@ -4,7 +4,7 @@
 // Who is to answer: a SimCommand, each simulator that describes the engine; a MonitorCommand, each monitor that does, or
 // every one if it is for all engines. Of them only those can who also write CommandReply: hardware, a replay and
 // programs of an earlier version do not.
-// @throws wire::DdsError where an endpoint cannot be had
+// @throws idl::DdsError where an endpoint cannot be had
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +33,7 @@ template <class Command>
 class CommandLink {
  public:
   /// `engine_id`: 0 is every engine.
-  CommandLink(wire::Participant& participant, std::uint32_t engine_id)
+  CommandLink(idl::Participant& participant, std::uint32_t engine_id)
       : engine_id_(engine_id), commands_(participant), replies_(participant), descriptions_(participant) {
     wait_set_.attach_condition(descriptions_.condition());
   }
@@ -87,7 +87,7 @@ class CommandLink {
  private:
   static constexpr bool for_monitors = std::is_same_v<Command, MonitorCommand>;
   static constexpr auto role =
-      static_cast<std::uint32_t>(for_monitors ? wire::DescriptionRole::monitor : wire::DescriptionRole::source);
+      static_cast<std::uint32_t>(for_monitors ? idl::DescriptionRole::monitor : idl::DescriptionRole::source);
 
   bool none_is_awaited() const {
     return std::none_of(addressees_.begin(), addressees_.end(),
@@ -117,9 +117,9 @@ class CommandLink {
 
   std::uint32_t engine_id_;
   std::random_device random_;
-  wire::Writer<Command> commands_;
-  wire::Reader<CommandReply> replies_;
-  wire::Reader<EngineDescription> descriptions_;
+  idl::Writer<Command> commands_;
+  idl::Reader<CommandReply> replies_;
+  idl::Reader<EngineDescription> descriptions_;
   eprosima::fastdds::dds::WaitSet wait_set_;
   std::map<std::uint64_t, Addressee> addressees_;
   std::set<std::uint32_t> other_engines_;

@@ -15,10 +15,10 @@
 #include "deploy/command/command_link.h"
 #include "deploy/command/order.h"
 #include "deploy/command/report.h"
-#include "deploy/config/man_page.h"
-#include "deploy/config/usage_answer.h"
-#include "deploy/service/exit_code.h"
-#include "deploy/service/written.h"
+#include "deploy/runtime/config/man_page.h"
+#include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/service/exit_code.h"
+#include "deploy/runtime/service/written.h"
 
 namespace {
 
@@ -43,7 +43,7 @@ struct Options {
 template <class Command>
 std::string nobody(const CommandLink<Command>& link, const Options& options) {
   std::string text = fmt::format("nobody carries out {} of engine {} on domain {}, partition '{}': within {} s ",
-                                 wire::Topic<Command>::name, options.engine, options.client.domain,
+                                 idl::Topic<Command>::name, options.engine, options.client.domain,
                                  options.client.partition, options.timeout_s);
   text += link.readers() == 0 ? "no reader of the topic" : fmt::format("{} reader(s) of the topic", link.readers());
   if (link.addressees().empty())
@@ -65,20 +65,20 @@ std::string silence(const Addressee& addressee, double timeout_s) {
 
 template <class Command>
 int give(Options& options) {
-  wire::Participant participant(client::participant_options(options.client, "ehm_command"));
+  idl::Participant participant(client::participant_options(options.client, "ehm_command"));
   CommandLink<Command> link(participant, options.engine);
   if (!link.find(options.timeout_s)) {
     std::cerr << "ehm_command: " << nobody(link, options) << '\n';
     return service::exit_failed;
   }
-  const wire::OrderedChannel channel = address(options.order, options.engine, link.descriptions());
+  const idl::OrderedChannel channel = address(options.order, options.engine, link.descriptions());
   const auto& command = std::get<Command>(options.order.command);
-  Report report{.topic = wire::Topic<Command>::name,
+  Report report{.topic = idl::Topic<Command>::name,
                 .partition = options.client.partition,
                 .domain = options.client.domain,
                 .engine_id = options.engine,
                 .readers = link.readers(),
-                .order = wire::order_text(command, channel)};
+                .order = idl::order_text(command, channel)};
   if (!options.json) std::cout << opening(report) << std::flush;
   link.send(command, options.timeout_s, [&](const CommandReply& reply) {
     report.replies.push_back(reply);
@@ -124,7 +124,7 @@ int run(int argc, char** argv) {
   }
   try {
     client::check_files(options.client);
-  } catch (const wire::DdsError& e) {
+  } catch (const idl::DdsError& e) {
     std::cerr << "ehm_command: " << e.what() << '\n';
     return service::exit_usage;
   }

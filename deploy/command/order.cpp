@@ -12,12 +12,12 @@ namespace ehm::operating {
 namespace {
 
 using client::finite_number;
-using wire::SensorFaultKind;
-using wire::SimCommandKind;
+using idl::SensorFaultKind;
+using idl::SimCommandKind;
 
 SimCommand sim_command(SimCommandKind kind, double first = 0.0, double second = 0.0, double third = 0.0) {
   SimCommand command;
-  command.schema(wire::schema_version);
+  command.schema(idl::schema_version);
   command.kind(static_cast<std::uint32_t>(kind));
   command.value() = {first, second, third, 0.0};
   return command;
@@ -44,7 +44,7 @@ void add_fault(CLI::App& app, Order& order) {
       ->check(finite_number(0.0))
       ->capture_default_str();
   fault->callback([a, &order] {
-    const SensorFaultKind kind = *wire::sensor_fault_kind(a->kind);
+    const SensorFaultKind kind = *idl::sensor_fault_kind(a->kind);
     const bool sized = kind != SensorFaultKind::stuck && kind != SensorFaultKind::dropout;
     if (sized && !a->magnitude) throw CLI::RequiredError("magnitude of " + a->kind);
     if (!sized && a->magnitude) throw CLI::ValidationError("magnitude", a->kind + " has none");
@@ -124,8 +124,8 @@ void add_reset(CLI::App& app, Order& order) {
   CLI::App* reset = app.add_subcommand("reset", "Starts the monitors' filters anew; --engine 0: of all engines");
   reset->callback([&order] {
     MonitorCommand command;
-    command.schema(wire::schema_version);
-    command.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+    command.schema(idl::schema_version);
+    command.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
     order = {command};
   });
 }

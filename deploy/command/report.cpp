@@ -15,7 +15,7 @@ bool Report::accepted() const {
 }
 
 std::string who(std::uint32_t role, std::uint32_t source_id) {
-  const bool monitor = role == static_cast<std::uint32_t>(wire::DescriptionRole::monitor);
+  const bool monitor = role == static_cast<std::uint32_t>(idl::DescriptionRole::monitor);
   return fmt::format("{} {}", monitor ? "monitor" : "source", source_id);
 }
 

@@ -14,14 +14,14 @@
 #include <optional>
 
 #include "deploy/client/client_options.h"
-#include "deploy/config/man_page.h"
-#include "deploy/config/usage_answer.h"
 #include "deploy/demo/terminal_width.h"
 #include "deploy/demo/watch_csv.h"
 #include "deploy/demo/watch_output.h"
-#include "deploy/service/exit_code.h"
-#include "deploy/service/stop_signal.h"
-#include "deploy/service/written.h"
+#include "deploy/runtime/config/man_page.h"
+#include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/service/exit_code.h"
+#include "deploy/runtime/service/stop_signal.h"
+#include "deploy/runtime/service/written.h"
 #include "idl/dds/endpoint.h"
 #include "idl/wire_values.h"
 
@@ -39,7 +39,7 @@ struct Options {
   std::string csv;
 };
 
-wire::ParticipantOptions participant_options(const Options& options) {
+idl::ParticipantOptions participant_options(const Options& options) {
   auto participant = client::participant_options(options.client, "ehm_watch");
   participant.redundancy.exclusive = options.redundant;
   return participant;
@@ -75,7 +75,7 @@ class Ears {
 
  private:
   template <class T>
-  void take(wire::Reader<T>& reader, demo::WatchData& data, const std::function<void()>& then = {}) {
+  void take(idl::Reader<T>& reader, demo::WatchData& data, const std::function<void()>& then = {}) {
     T sample;
     while (reader.take(sample)) {
       if (sample.engine_id() != engine_) continue;
@@ -87,13 +87,13 @@ class Ears {
     }
   }
   std::uint32_t engine_;
-  wire::Participant participant_;
-  wire::Reader<EngineTruth> truth_;
-  wire::Reader<EngineHealth> health_;
-  wire::Reader<EngineAuxiliary> auxiliary_;
-  wire::Reader<EngineDescription> descriptions_;
-  wire::Reader<MonitorStatus> status_;
-  wire::Reader<HealthEvent> events_;
+  idl::Participant participant_;
+  idl::Reader<EngineTruth> truth_;
+  idl::Reader<EngineHealth> health_;
+  idl::Reader<EngineAuxiliary> auxiliary_;
+  idl::Reader<EngineDescription> descriptions_;
+  idl::Reader<MonitorStatus> status_;
+  idl::Reader<HealthEvent> events_;
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 };
@@ -106,7 +106,7 @@ bool over(const demo::WatchData& data, const Options& options) {
   if (options.seconds > 0.0 && data.flight_time_s() > options.seconds + overtime_s) return true;
   return options.seconds > 0.0 && data.flight_time_s() > options.seconds - 0.1 &&
          (data.accounted() || data.published() == 0) && data.received() > 0 &&
-         data.status()->level() >= static_cast<std::uint32_t>(wire::StatusLevel::stale);
+         data.status()->level() >= static_cast<std::uint32_t>(idl::StatusLevel::stale);
 }
 
 void watch(demo::WatchData& data, const Options& options) {
@@ -188,7 +188,7 @@ int run(int argc, char** argv) {
 
   try {
     client::check_files(options.client);
-  } catch (const wire::DdsError& e) {
+  } catch (const idl::DdsError& e) {
     std::cerr << "ehm_watch: " << e.what() << '\n';
     return service::exit_usage;
   }

@@ -29,8 +29,8 @@ std::optional<double> Row::deviation() const {
 }
 
 void WatchData::hear(const EngineDescription& description, std::uint64_t participant) {
-  if (description.role() == static_cast<std::uint32_t>(wire::DescriptionRole::monitor)) description_ = description;
-  if (description.role() == static_cast<std::uint32_t>(wire::DescriptionRole::source)) truth_.describe(participant);
+  if (description.role() == static_cast<std::uint32_t>(idl::DescriptionRole::monitor)) description_ = description;
+  if (description.role() == static_cast<std::uint32_t>(idl::DescriptionRole::source)) truth_.describe(participant);
 }
 
 void WatchData::hear(const EngineHealth& health) {
@@ -52,7 +52,7 @@ void WatchData::hear(const MonitorStatus& status) {
   Watched& monitor = known->second;
   if (status.samples_received() < monitor.last.samples_received()) monitor.first = MonitorStatus();  // started anew
   monitor.last = status;
-  monitor.error_said |= status.level() == static_cast<std::uint32_t>(wire::StatusLevel::error);
+  monitor.error_said |= status.level() == static_cast<std::uint32_t>(idl::StatusLevel::error);
   last_monitor_ = status.source_id();
 }
 
@@ -106,7 +106,7 @@ std::vector<std::string> WatchData::sensors(bool used) const {
 
 std::vector<std::string> WatchData::flags() const {
   std::vector<std::string> names;
-  for (const auto& [bit, name] : wire::estimate_flag_names)
+  for (const auto& [bit, name] : idl::estimate_flag_names)
     if (health_ && (health_->flags() & bit) != 0) names.emplace_back(name);
   return names;
 }

@@ -46,7 +46,7 @@ std::string json(const WatchData& data) {
   j["truth_ignored"] = data.truth().ignored();
   j["accuracy_judged"] = accuracy_judged(data);
   if (const MonitorStatus* status = data.status()) {
-    j["level"] = wire::level_name(status->level());
+    j["level"] = idl::level_name(status->level());
     j["latency_us"] = {
         {"p50", status->latency_p50_us()}, {"p99", status->latency_p99_us()}, {"max", status->latency_max_us()}};
   }

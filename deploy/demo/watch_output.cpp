@@ -65,7 +65,7 @@ std::string joined(const std::vector<std::string>& words) {
 /// "OK", or with the flags: "WARN: degraded shifted"
 std::string state_text(const WatchData& data) {
   const std::string flags = joined(data.flags());
-  const char* level = data.status() ? wire::level_name(data.status()->level()) : "waiting";
+  const char* level = data.status() ? idl::level_name(data.status()->level()) : "waiting";
   return flags.empty() ? level : std::string(level) + ": " + flags;
 }
 

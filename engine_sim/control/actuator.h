@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct ActuatorData {
   double lag_s;
@@ -30,4 +30,4 @@ class Actuator {
   double position_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -2,7 +2,7 @@
 
 #include "engine_sim/model/ratings.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 Measurements at(Measurements measured, const SpoolSpeeds& speeds, const Intake& intake, bool on_ground) {
@@ -38,4 +38,4 @@ ControlledSample ControlledEngine::step(const Surroundings& surroundings, double
   return {actuation, operation.geometry, gas};
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

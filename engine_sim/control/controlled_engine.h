@@ -6,9 +6,9 @@
 
 #include "engine_sim/control/engine_control.h"
 #include "engine_sim/control/scheduled_point.h"
-#include "engine_sim/model/transient.h"
+#include "engine_sim/model/solve/transient.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct ControlledSample {
   Actuation actuation;
@@ -33,4 +33,4 @@ class ControlledEngine {
   Measurements measured_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

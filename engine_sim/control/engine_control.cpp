@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 EngineControl::EngineControl(const ControlData& data, const Measurements& start, double fuel_flow_kg_s)
     : data_(data),
@@ -30,4 +30,4 @@ Geometry geometry(const VaneControlData& vanes, const Actuation& actuation, cons
           .vbv_fraction = actuation.vbv_fraction};
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -9,11 +9,11 @@
 // Source: Walsh & Fletcher, chapters 5 and 8 (variable geometry, handling bleed). Errors: none. Real-time safe: yes.
 
 #include "engine_sim/control/actuator.h"
-#include "engine_sim/control/control_data.h"
 #include "engine_sim/control/fuel_control.h"
 #include "engine_sim/control/measurements.h"
+#include "engine_sim/engines/control_data.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// What the control has set.
 struct Actuation {
@@ -43,4 +43,4 @@ double bleed_valve_command(const ControlData& data, const Measurements& measured
 /// What the model takes of an actuation: the vanes' deviation from the schedule at the true speeds.
 Geometry geometry(const VaneControlData& vanes, const Actuation& actuation, const Measurements& truth);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -6,7 +6,7 @@
 
 #include "engine_sim/control/scheduled_point.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 /// A change of these moves net thrust at constant fan speed by less than 0.1 % (0.1 % of pressure, of temperature).
@@ -53,4 +53,4 @@ double FanSpeedDemand::converted(double net_thrust_n, const FlightCondition& fli
   }
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

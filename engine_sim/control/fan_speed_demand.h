@@ -10,10 +10,10 @@
 
 #include <optional>
 
-#include "engine_sim/control/control_data.h"
-#include "engine_sim/model/steady.h"
+#include "engine_sim/engines/control_data.h"
+#include "engine_sim/model/solve/steady.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class FanSpeedDemand {
  public:
@@ -41,4 +41,4 @@ class FanSpeedDemand {
   std::optional<SteadyPoint> near_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

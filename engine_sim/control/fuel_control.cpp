@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 /// Relative change of fuel flow in this step, and the loop that wants it.
@@ -95,4 +95,4 @@ double FuelControl::update(const Measurements& m, double n1_demand_rpm, double d
   return fuel_flow_kg_s_ *= std::exp(selected.change);
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -16,10 +16,10 @@
 #include <array>
 #include <string_view>
 
-#include "engine_sim/control/control_data.h"
 #include "engine_sim/control/measurements.h"
+#include "engine_sim/engines/control_data.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Which loop sets the fuel flow.
 enum class FuelLoop {
@@ -62,4 +62,4 @@ class FuelControl {
   FuelLoop active_ = FuelLoop::n1_governor;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -10,7 +10,7 @@
 #include "engine_sim/model/gas_path.h"
 #include "engine_sim/model/units.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct Measurements {
   double n1_rpm, n2_rpm;
@@ -34,4 +34,4 @@ inline Measurements measure(const GasPath& gas, bool on_ground = false) {
   return {gas.speeds.n1_rpm, gas.speeds.n2_rpm, gas.s48.tt_k, gas.ps_30_pa, gas.s2.tt_k, gas.s2.pt_pa, on_ground};
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

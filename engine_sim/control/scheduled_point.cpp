@@ -5,7 +5,7 @@
 #include "engine_sim/control/controlled_engine.h"
 #include "engine_sim/model/ratings.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 /// Would the control leave the engine there?
@@ -65,4 +65,4 @@ SteadyPoint settled(const Turbofan& engine, const ControlData& data, const Surro
   return flown_to(engine, data, surroundings, n1_demand_rpm);
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

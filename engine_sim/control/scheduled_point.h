@@ -2,10 +2,10 @@
 // Steady points of an engine whose vanes and bleed valves stand where the control wants them: where a flight starts.
 // The vanes are on schedule there by definition; the valves' position and the point that it gives are iterated.
 
-#include "engine_sim/control/control_data.h"
-#include "engine_sim/model/steady.h"
+#include "engine_sim/engines/control_data.h"
+#include "engine_sim/model/solve/steady.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// What acts on the engine besides its control.
 struct Surroundings {
@@ -25,4 +25,4 @@ SteadyPoint solve_scheduled(const Turbofan& engine, const ControlData& data, con
 SteadyPoint settled(const Turbofan& engine, const ControlData& data, const Surroundings& surroundings,
                     double n1_demand_rpm);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

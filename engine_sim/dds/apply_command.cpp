@@ -8,11 +8,11 @@
 #include "idl/command_text.h"
 #include "idl/wire_values.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 namespace {
 
-using wire::SimCommandKind;
+using idl::SimCommandKind;
 
 class Refusal : public std::runtime_error {
  public:
@@ -63,7 +63,7 @@ void change_health(const SimCommand& c, SimulatedEngine& s, bool relative) {
 
 void inject_fault(const SimCommand& c, SimulatedEngine& s) {
   require("channel (sensor)", c.channel(), 0, static_cast<double>(s.channels().sensors.size()) - 1);
-  require("fault", c.fault(), 0, static_cast<double>(wire::SensorFaultKind::noise));
+  require("fault", c.fault(), 0, static_cast<double>(idl::SensorFaultKind::noise));
   const auto kind = static_cast<FaultKind>(c.fault());
   require("value[0] (magnitude)", c.value()[0], kind == FaultKind::noise ? 0 : -1e9, 1e9);
   require("value[1] (duration_s)", c.value()[1], 0, 1e9);
@@ -71,7 +71,7 @@ void inject_fault(const SimCommand& c, SimulatedEngine& s) {
 }
 
 void carry_out(const SimCommand& c, SimulatedEngine& s) {
-  require("schema", c.schema(), wire::schema_version, wire::schema_version);
+  require("schema", c.schema(), idl::schema_version, idl::schema_version);
   switch (static_cast<SimCommandKind>(c.kind())) {
     case SimCommandKind::set_demand:
       require("value[0] (n1_rpm)", c.value()[0], 500, 5000);
@@ -94,7 +94,7 @@ void carry_out(const SimCommand& c, SimulatedEngine& s) {
 }
 
 /// The channel of a command that was carried out.
-wire::OrderedChannel channel_of(const SimCommand& c, const EngineChannels& channels) {
+idl::OrderedChannel channel_of(const SimCommand& c, const EngineChannels& channels) {
   const EngineChannel* channel = nullptr;
   switch (static_cast<SimCommandKind>(c.kind())) {
     case SimCommandKind::set_health:
@@ -115,8 +115,8 @@ wire::OrderedChannel channel_of(const SimCommand& c, const EngineChannels& chann
 CommandReply apply(const SimCommand& command, SimulatedEngine& engine) {
   CommandReply reply;
   reply.engine_id(command.engine_id());
-  reply.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
-  reply.schema(wire::schema_version);
+  reply.role(static_cast<std::uint32_t>(idl::DescriptionRole::source));
+  reply.schema(idl::schema_version);
   reply.request(command.request());
   reply.kind(command.kind());
   std::string text;
@@ -124,7 +124,7 @@ CommandReply apply(const SimCommand& command, SimulatedEngine& engine) {
     carry_out(command, engine);
     reply.accepted(1);
     text = fmt::format("{}, from {:.3f} s of the flight on",
-                       wire::order_text(command, channel_of(command, engine.channels())), engine.time_s());
+                       idl::order_text(command, channel_of(command, engine.channels())), engine.time_s());
   } catch (const std::exception& e) {  // also of the model: no command ends the flight
     text = e.what();
   }
@@ -132,4 +132,4 @@ CommandReply apply(const SimCommand& command, SimulatedEngine& engine) {
   return reply;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

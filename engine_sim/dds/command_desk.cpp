@@ -4,7 +4,7 @@
 
 #include "engine_sim/dds/apply_command.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 void CommandDesk::serve(SimulatedEngine& engine) {
   SimCommand command;
@@ -18,4 +18,4 @@ void CommandDesk::serve(SimulatedEngine& engine) {
   }
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

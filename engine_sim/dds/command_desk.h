@@ -7,11 +7,11 @@
 #include "engine_sim/simulated_engine.h"
 #include "idl/dds/endpoint.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class CommandDesk {
  public:
-  CommandDesk(wire::Participant& participant, const Scenario& scenario)
+  CommandDesk(idl::Participant& participant, const Scenario& scenario)
       : commands_(participant),
         replies_(participant),
         engine_id_(static_cast<std::uint32_t>(scenario.engine_id)),
@@ -21,9 +21,9 @@ class CommandDesk {
   void serve(SimulatedEngine& engine);
 
  private:
-  wire::Reader<SimCommand> commands_;
-  wire::Writer<CommandReply> replies_;
+  idl::Reader<SimCommand> commands_;
+  idl::Writer<CommandReply> replies_;
   std::uint32_t engine_id_, source_id_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -9,11 +9,11 @@
 
 #include "idl/dds/endpoint.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class Lockstep {
  public:
-  Lockstep(wire::Participant& participant, std::uint32_t engine_id, std::uint64_t window)
+  Lockstep(idl::Participant& participant, std::uint32_t engine_id, std::uint64_t window)
       : answers_(participant), engine_id_(engine_id), window_(window) {
     wait_set_.attach_condition(answers_.condition());
   }
@@ -43,7 +43,7 @@ class Lockstep {
 
  private:
   // Residuals, not estimates: every processed sample has them, also where an estimate is withheld.
-  wire::Reader<EngineResiduals> answers_;
+  idl::Reader<EngineResiduals> answers_;
   std::uint32_t engine_id_;
   std::uint64_t window_;
   static constexpr std::chrono::milliseconds give_up_{1000};
@@ -52,4 +52,4 @@ class Lockstep {
   eprosima::fastdds::dds::ConditionSeq triggered_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

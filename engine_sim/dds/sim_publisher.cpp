@@ -4,7 +4,7 @@
 
 #include "idl/wire_values.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 namespace {
 
@@ -22,13 +22,13 @@ std::uint32_t describe_all(const std::vector<EngineChannel>& channels, Described
 
 }  // namespace
 
-SimPublisher::SimPublisher(wire::Participant& participant, std::uint32_t engine_id, std::uint32_t source_id)
+SimPublisher::SimPublisher(idl::Participant& participant, std::uint32_t engine_id, std::uint32_t source_id)
     : sensors_(participant), truth_(participant), description_(participant) {
   sensors_sample_.engine_id(engine_id);
-  sensors_sample_.schema(wire::schema_version);
+  sensors_sample_.schema(idl::schema_version);
   sensors_sample_.source_id(source_id);
   truth_sample_.engine_id(engine_id);
-  truth_sample_.schema(wire::schema_version);
+  truth_sample_.schema(idl::schema_version);
   truth_sample_.source_id(source_id);
 }
 
@@ -36,8 +36,8 @@ void SimPublisher::describe(const EngineChannels& channels) {
   EngineDescription d;
   d.engine_id(sensors_sample_.engine_id());
   d.source_id(sensors_sample_.source_id());
-  d.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
-  d.schema(wire::schema_version);
+  d.role(static_cast<std::uint32_t>(idl::DescriptionRole::source));
+  d.schema(idl::schema_version);
   d.engine_type() = channels.engine_type.c_str();
   d.sample_time_s(channels.sample_time_s);
   d.actuator_count(describe_all(channels.actuators, d.actuators()));
@@ -73,4 +73,4 @@ bool SimPublisher::publish(const EngineSample& sample, std::int64_t source_time_
   return sensors_.write(sensors_sample_) && truth_sent;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

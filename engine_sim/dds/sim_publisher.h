@@ -4,11 +4,11 @@
 #include "engine_sim/simulated_engine.h"
 #include "idl/dds/endpoint.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class SimPublisher {
  public:
-  SimPublisher(wire::Participant& participant, std::uint32_t engine_id, std::uint32_t source_id);
+  SimPublisher(idl::Participant& participant, std::uint32_t engine_id, std::uint32_t source_id);
 
   /// Names, units, trim and noise of the channels; once, late joiners get it too.
   void describe(const EngineChannels& channels);
@@ -20,11 +20,11 @@ class SimPublisher {
   bool drain(double seconds) { return sensors_.drain(seconds) && truth_.drain(seconds); }
 
  private:
-  wire::Writer<EngineSensors> sensors_;
-  wire::Writer<EngineTruth> truth_;
-  wire::Writer<EngineDescription> description_;
+  idl::Writer<EngineSensors> sensors_;
+  idl::Writer<EngineTruth> truth_;
+  idl::Writer<EngineDescription> description_;
   EngineSensors sensors_sample_;
   EngineTruth truth_sample_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <thread>
 
-#include "deploy/service/stop_signal.h"
+#include "deploy/runtime/service/stop_signal.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Until `ready()`, or a stop is requested; `wanted` readers of EngineSensors are what it waits for.
 template <class Ready>
@@ -37,4 +37,4 @@ void join_anew(double held_up_s, Readers readers, Join join, const service::Stop
       before, [&] { return readers() >= before || std::chrono::steady_clock::now() > limit; }, stop);
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -8,16 +8,16 @@
 #include <optional>
 #include <string>
 
-#include "deploy/service/security_watch.h"
+#include "deploy/runtime/service/security_watch.h"
 #include "engine_sim/scenario/scenario_file.h"
 #include "idl/dds/participant.h"
 #include "idl/dds/security_files.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class WatchedParticipant {
  public:
-  /// `name` is what other participants see. @throws wire::DdsError
+  /// `name` is what other participants see. @throws idl::DdsError
   WatchedParticipant(const SimConfig& config, const std::string& name) : options_(options(config, name)) {
     auto incidents = service::hear_incidents(options_);
     participant_.emplace(options_);
@@ -25,14 +25,14 @@ class WatchedParticipant {
       security_.emplace(
           *participant_, std::move(incidents),
           [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); },
-          wire::examine_identity(config.security).expires_s);
+          idl::examine_identity(config.security).expires_s);
   }
-  operator wire::Participant&() { return *participant_; }
+  operator idl::Participant&() { return *participant_; }
   double held_up_s() noexcept { return participant_->held_up_s(); }
 
  private:
-  static wire::ParticipantOptions options(const SimConfig& config, const std::string& name) {
-    wire::ParticipantOptions options;
+  static idl::ParticipantOptions options(const SimConfig& config, const std::string& name) {
+    idl::ParticipantOptions options;
     options.domain = static_cast<std::uint32_t>(config.domain);
     options.name = name;
     options.profiles_file = config.profiles_file;
@@ -46,9 +46,9 @@ class WatchedParticipant {
     return options;
   }
 
-  wire::ParticipantOptions options_;
-  std::optional<wire::Participant> participant_;
+  idl::ParticipantOptions options_;
+  std::optional<idl::Participant> participant_;
   std::optional<service::SecurityWatch> security_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -4,11 +4,11 @@
 #include <span>
 #include <stdexcept>
 
-#include "deploy/long_work/parallel_for.h"
+#include "deploy/runtime/long_work/parallel_for.h"
 #include "engine_sim/deck/deck_columns.h"
 #include "engine_sim/model/ratings.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 /// Rows that are solved before they are written: bounds the memory, and long against the start of a thread.
@@ -54,7 +54,7 @@ std::vector<DeckRow> solve_block(const Turbofan& engine, std::span<const DeckCas
                                  const std::vector<const DeckOutput*>& columns, unsigned threads, const DeckSink& sink,
                                  std::size_t done_before) {
   std::vector<DeckRow> rows(block.size());
-  work::parallel_for(
+  long_work::parallel_for(
       block.size(), threads,
       [&](std::size_t i) {
         if (!sink.stopped()) rows[i] = solve_row(engine, block[i], columns);
@@ -99,4 +99,4 @@ DeckSummary write_deck(const Turbofan& engine, const DeckCases& cases, unsigned 
   return summary;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

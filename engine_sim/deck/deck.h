@@ -9,7 +9,7 @@
 
 #include "engine_sim/deck/deck_cases.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Where the deck goes, and what may stop it. `write` and `failed` are called in the order of the rows, `progress`
 /// often, all by the thread that called write_deck(); `stopped` by every thread.
@@ -35,4 +35,4 @@ std::string deck_header(const DeckCases& cases);
 /// @throws std::runtime_error if stopped; whatever `write` throws
 DeckSummary write_deck(const Turbofan& engine, const DeckCases& cases, unsigned threads, const DeckSink& sink);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 #include "engine_sim/deck/deck_columns.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 using files::CsvRow;
@@ -85,4 +85,4 @@ DeckCases read_deck_cases(const CsvTable& table) {
   return out;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

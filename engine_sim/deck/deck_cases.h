@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "deploy/files/csv_table.h"
-#include "engine_sim/model/steady.h"
+#include "deploy/runtime/files/csv_table.h"
+#include "engine_sim/model/solve/steady.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct DeckCase {
   std::size_t line;
@@ -26,4 +26,4 @@ struct DeckCases {
 /// @throws files::FileError for an unknown or missing column, none or two demands, a cell that is no number in range
 DeckCases read_deck_cases(const files::CsvTable& table);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 std::vector<DeckInput> make_inputs() {
@@ -72,4 +72,4 @@ const std::vector<DeckOutput>& deck_outputs() {
   return outputs;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

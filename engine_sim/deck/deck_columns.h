@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "engine_sim/model/steady.h"
+#include "engine_sim/model/solve/steady.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct DeckInput {
   std::string name;
@@ -31,4 +31,4 @@ struct DeckOutput {
 const std::vector<DeckInput>& deck_inputs();
 const std::vector<DeckOutput>& deck_outputs();
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

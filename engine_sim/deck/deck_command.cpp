@@ -10,15 +10,15 @@
 #include <ostream>
 #include <thread>
 
-#include "deploy/files/atomic_file.h"
-#include "deploy/files/file_error.h"
-#include "deploy/long_work/progress_bar.h"
-#include "deploy/service/stop_signal.h"
+#include "deploy/runtime/files/atomic_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/long_work/progress_bar.h"
+#include "deploy/runtime/service/stop_signal.h"
 #include "engine_sim/deck/deck.h"
 #include "engine_sim/deck/deck_columns.h"
-#include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/engines/jt9d.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 using files::FileError;
@@ -70,7 +70,7 @@ void make_deck(const Arguments& arguments, std::ostream& out, std::ostream& err)
   const Turbofan engine(jt9d());
   const service::StopSignal stop;
   DeckOut deck(arguments.out, out);
-  work::ProgressBar bar(err, isatty(STDERR_FILENO) == 1, cases.cases.size());
+  long_work::ProgressBar bar(err, isatty(STDERR_FILENO) == 1, cases.cases.size());
   const auto start = std::chrono::steady_clock::now();
   const DeckSummary summary = write_deck(engine, cases, arguments.threads,
                                          {.write = [&](std::string_view text) { deck.write(text); },
@@ -123,4 +123,4 @@ void add_deck_command(CLI::App& app, std::function<void(std::ostream&, std::ostr
   });
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -5,9 +5,9 @@
 #include <functional>
 #include <iosfwd>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Adds the subcommand to `app`; `run` is set to its action when the user chose it.
 void add_deck_command(CLI::App& app, std::function<void(std::ostream& out, std::ostream& err)>& run);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

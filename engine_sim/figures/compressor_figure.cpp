@@ -6,7 +6,7 @@
 #include "engine_sim/figures/contour_labels.h"
 #include "engine_sim/model/units.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -135,4 +135,4 @@ Figure compressor_figure(const CompressorView& view, const CompressorData& compr
   return figure;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -12,7 +12,7 @@
 #include "engine_sim/figures/operating_line.h"
 #include "engine_sim/figures/reference_points.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Which part of a map is shown.
 struct CompressorView {
@@ -31,4 +31,4 @@ Figure compressor_figure(const CompressorView& view, const CompressorData& compr
                          const std::vector<OperatingLine>& operating, const CompressorReader& place_of,
                          const std::vector<ReferencePoint>& reference);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 /// In units of a label's width and height, so that distance 1 is where two labels touch.
@@ -107,4 +107,4 @@ std::string contour_settings(std::span<const double> levels) {
   return text + '\n';
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

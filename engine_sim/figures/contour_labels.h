@@ -9,7 +9,7 @@
 
 #include "engine_sim/figures/figure.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Columns of the figure that a contour plot takes: the coordinates of the picture, and what the contours are of.
 struct PlotColumns {
@@ -27,4 +27,4 @@ std::vector<double> efficiency_levels(const std::vector<const Curve*>& grid, std
 /// gnuplot's `set cntrparam` for these levels.
 std::string contour_settings(std::span<const double> levels);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <limits>
 
-#include "deploy/files/csv_table.h"
+#include "deploy/runtime/files/csv_table.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 std::string figure_csv(const Figure& figure) {
   std::string text = "kind,label";
@@ -115,4 +115,4 @@ std::string title_text(const std::string& title) {
          "to idle}\"";
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 using CurvePoint = std::vector<double>;  ///< one number a column of the figure; NaN: none
 
@@ -60,4 +60,4 @@ std::string percent_text(double percent);
 /// The title of a picture, with a second line that tells how to read it.
 std::string title_text(const std::string& title);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

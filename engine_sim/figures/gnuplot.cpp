@@ -12,7 +12,7 @@
 
 extern char** environ;
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 /// A nameless file: unlike a pipe it never makes the two programs wait for each other.
@@ -71,4 +71,4 @@ void run_gnuplot(const std::string& script, int descriptor) {
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("gnuplot failed: " + messages.text());
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

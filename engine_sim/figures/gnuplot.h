@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Runs `script`, whose terminal writes to the standard output, into the open file `descriptor`.
 void run_gnuplot(const std::string& script, int descriptor);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "engine_sim/engines/jt9d.h"
 #include "engine_sim/figures/compressor_figure.h"
 #include "engine_sim/figures/turbine_figure.h"
-#include "engine_sim/model/engines/jt9d.h"
 #include "engine_sim/model/units.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 double corrected_speed(const CompressorData& compressor, double n_rpm, const Station& inlet) {
@@ -68,4 +68,4 @@ std::vector<Figure> jt9d_figures(const std::optional<files::CsvTable>& reference
               points("LPT"))};
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "deploy/files/csv_table.h"
+#include "deploy/runtime/files/csv_table.h"
 #include "engine_sim/figures/figure.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// @throws files::FileError for a defect of the reference table, SolveError if an operating line cannot be computed
 std::vector<Figure> jt9d_figures(const std::optional<files::CsvTable>& reference);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -5,12 +5,12 @@
 #include <optional>
 #include <ostream>
 
-#include "deploy/files/atomic_file.h"
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/atomic_file.h"
+#include "deploy/runtime/files/file_error.h"
 #include "engine_sim/figures/gnuplot.h"
 #include "engine_sim/figures/jt9d_figures.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 struct Arguments {
@@ -59,4 +59,4 @@ void add_maps_command(CLI::App& app, std::function<void(std::ostream&, std::ostr
       [arguments, &run] { run = [arguments](std::ostream& out, std::ostream&) { draw_maps(*arguments, out); }; });
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -4,7 +4,7 @@
 
 #include "engine_sim/model/ratings.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 constexpr int steps = 120;
@@ -31,4 +31,4 @@ std::vector<OperatingLine> operating_lines(const Turbofan& engine) {
           {"10668 m Mach 0.8", from_maximum_to_idle(engine, cruise)}};
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine_sim/model/steady.h"
+#include "engine_sim/model/solve/steady.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct OperatingLine {
   std::string label;
@@ -18,4 +18,4 @@ struct OperatingLine {
 /// @throws SolveError if a point of the line is not found
 std::vector<OperatingLine> operating_lines(const Turbofan& engine);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -1,8 +1,8 @@
 #include "engine_sim/figures/reference_points.h"
 
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 std::size_t require_column(const files::CsvTable& table, const std::string& name) {
@@ -36,4 +36,4 @@ std::vector<ReferencePoint> reference_points(const files::CsvTable& table, const
   return points;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "deploy/files/csv_table.h"
+#include "deploy/runtime/files/csv_table.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct ReferencePoint {
   double speed, flow, pressure_ratio, efficiency;
@@ -17,4 +17,4 @@ struct ReferencePoint {
 /// @throws files::FileError if a column is missing or a cell is no number
 std::vector<ReferencePoint> reference_points(const files::CsvTable& table, const std::string& component);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -6,7 +6,7 @@
 #include "engine_sim/figures/contour_labels.h"
 #include "engine_sim/model/units.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 enum Column : std::size_t { speed_percent, expansion_ratio, flow_parameter, efficiency };
@@ -116,4 +116,4 @@ Figure turbine_figure(const TurbineView& view, const TurbineData& turbine, const
   return figure;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

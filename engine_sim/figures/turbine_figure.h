@@ -13,7 +13,7 @@
 #include "engine_sim/figures/operating_line.h"
 #include "engine_sim/figures/reference_points.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Which part of a map is shown; the expansion ratios are the map's own, unscaled.
 struct TurbineView {
@@ -31,4 +31,4 @@ using TurbineReader = std::function<TurbinePlace(const SteadyPoint&)>;
 Figure turbine_figure(const TurbineView& view, const TurbineData& turbine, const std::vector<OperatingLine>& operating,
                       const TurbineReader& place_of, const std::vector<ReferencePoint>& reference);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -4,17 +4,17 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "monitor/estimation/sensor_noise.h"
-#include "monitor/estimation/stationary_covariance.h"
+#include "engine_sim/linear_model/sensor_noise.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 using Eigen::VectorXd;
-using estimation::LinearModel;
+using linear_model::LinearModel;
 
 namespace {
 
-std::vector<EngineChannel> described(const std::vector<estimation::Channel>& channels) {
+std::vector<EngineChannel> described(const std::vector<linear_model::Channel>& channels) {
   std::vector<EngineChannel> list;
   for (const auto& channel : channels) list.push_back({channel.name, channel.unit, channel.trim});
   return list;
@@ -24,16 +24,17 @@ EngineChannels channels_of(const LinearModel& model) {
   EngineChannels c{model.engine_type,        model.sample_time_s,     described(model.controls),
                    described(model.sensors), described(model.health), described(model.auxiliary)};
   for (std::size_t i = 0; i < c.sensors.size(); ++i)
-    c.sensors[i].sigma = estimation::own_sigma(model, static_cast<Eigen::Index>(i));
+    c.sensors[i].sigma = linear_model::own_sigma(model, static_cast<Eigen::Index>(i));
   return c;
 }
 
 std::vector<Sensor> sensors_of(const LinearModel& model) {
   std::vector<Sensor> sensors;
   for (Eigen::Index i = 0; i < model.sensor_noise_sigma.size(); ++i)
-    sensors.emplace_back(SensorOptions{.noise_sigma = estimation::own_sigma(model, i),
-                                       .step = estimation::resolution(model, i),
-                                       .held_samples = static_cast<std::uint64_t>(estimation::held_samples(model, i))});
+    sensors.emplace_back(
+        SensorOptions{.noise_sigma = linear_model::own_sigma(model, i),
+                      .step = linear_model::resolution(model, i),
+                      .held_samples = static_cast<std::uint64_t>(linear_model::held_samples(model, i))});
   return sensors;
 }
 
@@ -55,11 +56,11 @@ LinearEngine::LinearEngine(const LinearModel& model, const Scenario& scenario)
       pending_faults_(scenario.faults),
       sensors_(sensors_of(model)),
       noise_(static_cast<std::uint64_t>(scenario.seed)),
-      motion_root_(estimation::covariance_root(model.process_noise)) {
+      motion_root_(linear_model::covariance_root(model.process_noise)) {
   // x = A x + B u + L h
   const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(model_.A.rows(), model_.A.cols());
   x_ = (I - model_.A).partialPivLu().solve(model_.B * control_deviation() + model_.L * health_deviation());
-  x_ += random(estimation::covariance_root(estimation::stationary_covariance(model_.A, model_.process_noise)));
+  x_ += random(linear_model::covariance_root(linear_model::stationary_covariance(model_.A, model_.process_noise)));
 }
 
 std::string LinearEngine::start_text() const {
@@ -136,4 +137,4 @@ HealthRange LinearEngine::health_range(std::size_t parameter) const {
   return {health_min * unit, health_max * unit};
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -5,7 +5,7 @@
 //   y[k]   = C x[k] + D u[k] + M h[k]            sensor i reads trim + y_i with its noise, rounding and holding
 //   z[k]   = F x[k] + G u[k] + N h[k]
 //
-// Shapes and units: monitor/estimation/linear_model.h; x, y, z, u and h are deviations from trim. h is wear as the
+// Shapes and units: engine_sim/linear_model/linear_model.h; x, y, z, u and h are deviations from trim. h is wear as the
 // scenario and orders have it, u the planned changes of the controls, which else stay at their trims. The first sample
 // is in balance, x = (I - A)^-1 (B u + L h), about which the process noise has moved the engine for long: the motion is
 // stationary from there on. The model's linearisation_error is not flown: this engine is linear.
@@ -23,13 +23,13 @@
 #include "engine_sim/scenario/fault_schedule.h"
 #include "engine_sim/simulated_engine.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class LinearEngine : public SimulatedEngine {
  public:
   /// `model` as read_linear_model gives it. Of the scenario: seed, wear, changes and faults, by the model's channels.
   /// @throws std::runtime_error if the model is so near to instability that its motion cannot be computed.
-  LinearEngine(const estimation::LinearModel& model, const Scenario& scenario);
+  LinearEngine(const linear_model::LinearModel& model, const Scenario& scenario);
 
   const EngineChannels& channels() const override { return channels_; }
   std::string start_text() const override;
@@ -56,7 +56,7 @@ class LinearEngine : public SimulatedEngine {
   Eigen::VectorXd random(const Eigen::MatrixXd& root);
   std::vector<Reading> read(const Eigen::VectorXd& y);
 
-  estimation::LinearModel model_;
+  linear_model::LinearModel model_;
   EngineChannels channels_;
   Deterioration deterioration_;
   std::vector<PlannedChange> control_changes_;
@@ -68,4 +68,4 @@ class LinearEngine : public SimulatedEngine {
   std::uint64_t sequence_ = 0;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

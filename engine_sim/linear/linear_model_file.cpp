@@ -1,21 +1,21 @@
 #include "engine_sim/linear/linear_model_file.h"
 
-#include "deploy/config/schema.h"
-#include "monitor/design/model_file.h"
-#include "monitor/estimation/discretise.h"
+#include "deploy/runtime/config/schema.h"
+#include "engine_sim/linear_model/discretise.h"
+#include "engine_sim/linear_model/model_file.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
-std::shared_ptr<const estimation::LinearModel> read_linear_model(const std::string& file) {
+std::shared_ptr<const linear_model::LinearModel> read_linear_model(const std::string& file) {
   try {
-    return std::make_shared<const estimation::LinearModel>(estimation::discretise(design::read_model(file)));
+    return std::make_shared<const linear_model::LinearModel>(linear_model::discretise(linear_model::read_model(file)));
   } catch (const std::exception& e) {
     throw config::ConfigError(std::string("'linear.model': ") + e.what());
   }
 }
 
-double unit_of_health(const estimation::Channel& parameter) {
+double unit_of_health(const linear_model::Channel& parameter) {
   return parameter.unit == "fraction" || parameter.unit == "-" ? 1.0 : 100.0;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "deploy/config/schema.h"
+#include "deploy/runtime/config/schema.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 namespace {
 
@@ -36,4 +36,4 @@ void check_linear(const std::vector<std::string>& given, const Scenario& scenari
   if (!scenario.profile.empty()) refuse("profile", "which holds at its own operating point only");
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -7,10 +7,10 @@
 
 #include "engine_sim/scenario/scenario.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// `given`: the configuration keys that somebody has set.
 /// @throws config::ConfigError naming the first one that makes no sense, and why.
 void check_linear(const std::vector<std::string>& given, const Scenario& scenario);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "engine_sim/model/compressor_map.h"
-#include "engine_sim/model/flow_unknowns.h"
 #include "engine_sim/model/gas_path.h"
-#include "engine_sim/model/heat_soak.h"
-#include "engine_sim/model/turbine_map.h"
+#include "engine_sim/model/maps/compressor_map.h"
+#include "engine_sim/model/maps/turbine_map.h"
+#include "engine_sim/model/parts/heat_soak.h"
+#include "engine_sim/model/solve/flow_unknowns.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct RamRecovery {
   double mach;
@@ -107,4 +107,4 @@ struct EngineData {
   DesignPoint design;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

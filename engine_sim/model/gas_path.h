@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Order of the ten health parameters, everywhere in the project.
 enum Health : std::size_t {
@@ -83,4 +83,4 @@ struct GasPath {
   std::array<double, 3> metal_dot_k_s{};  ///< heat soak (heat_soak.h); zero without it
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

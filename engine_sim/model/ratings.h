@@ -13,7 +13,7 @@
 #include "engine_sim/model/engine_data.h"
 #include "engine_sim/model/units.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// The largest ratio to its limit. At a kink the derivative is that of the larger branch.
 template <class S>
@@ -43,4 +43,4 @@ inline double idle_n2_rpm(const Ratings& r, const FlightCondition& flight, doubl
   return corrected * std::sqrt(tt2_k / reference_temperature_k);
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

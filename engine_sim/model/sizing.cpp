@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine_sim/model/static_pressure.h"
+#include "engine_sim/model/thermo/static_pressure.h"
 #include "engine_sim/model/units.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 using D = Dual<3>;
@@ -153,4 +153,4 @@ SizedEngine size_engine(const EngineDesign& design) {
   return Sizing(design).run();
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -14,7 +14,7 @@
 #include "engine_sim/model/engine_data.h"
 #include "engine_sim/model/turbofan.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 struct CompressorDesign {
   CompressorMap map;
@@ -59,4 +59,4 @@ struct SizedEngine {
 
 SizedEngine size_engine(const EngineDesign& design);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -4,13 +4,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine_sim/model/combustor.h"
-#include "engine_sim/model/duct.h"
-#include "engine_sim/model/flow_balance.h"
-#include "engine_sim/model/shaft.h"
-#include "engine_sim/model/static_pressure.h"
+#include "engine_sim/model/parts/combustor.h"
+#include "engine_sim/model/parts/duct.h"
+#include "engine_sim/model/parts/shaft.h"
+#include "engine_sim/model/solve/flow_balance.h"
+#include "engine_sim/model/thermo/static_pressure.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 void require(bool ok, std::string_view key, double value, const char* range) {
@@ -207,4 +207,4 @@ template Cycle<Dual<9>> Turbofan::cycle(const Intake&, const Operation&, const C
 template GasPath Turbofan::report(const CycleInput<double>&, const Cycle<double>&) const;
 template GasPath Turbofan::report(const CycleInput<Dual<9>>&, const Cycle<Dual<9>>&) const;
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -10,15 +10,15 @@
 #include <array>
 #include <string_view>
 
-#include "engine_sim/model/bleed.h"
 #include "engine_sim/model/engine_data.h"
 #include "engine_sim/model/gas_path.h"
-#include "engine_sim/model/inlet.h"
-#include "engine_sim/model/newton.h"
-#include "engine_sim/model/nozzle.h"
-#include "engine_sim/model/turbine.h"
+#include "engine_sim/model/parts/bleed.h"
+#include "engine_sim/model/parts/inlet.h"
+#include "engine_sim/model/parts/nozzle.h"
+#include "engine_sim/model/parts/turbine.h"
+#include "engine_sim/model/solve/newton.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// All that acts on the engine from outside.
 struct Operation {
@@ -84,4 +84,4 @@ class Turbofan {
 void require_valid(const Operation& operation);
 void require_valid(const SpoolSpeeds& speeds);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

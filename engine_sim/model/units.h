@@ -2,7 +2,7 @@
 // Conversions from the units of the maps and data sheets to SI, at the one border where they meet.
 // Source: exact definitions of the international pound, foot, inch and BTU (IT); slug from standard gravity.
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 inline constexpr double kg_per_lbm = 0.45359237;
 inline constexpr double pa_per_psi = 6894.757293168;
@@ -18,4 +18,4 @@ inline constexpr double rad_s_per_rpm = 0.10471975511965978;  // 2 pi / 60
 inline constexpr double reference_temperature_k = 518.67 / rankine_per_kelvin;
 inline constexpr double reference_pressure_pa = 14.696 * pa_per_psi;
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

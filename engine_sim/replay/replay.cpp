@@ -9,15 +9,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "deploy/service/notify.h"
-#include "deploy/service/watchdog.h"
+#include "deploy/runtime/service/notify.h"
+#include "deploy/runtime/service/watchdog.h"
 #include "engine_sim/dds/wait_for_readers.h"
 #include "engine_sim/dds/watched_participant.h"
 #include "engine_sim/replay/replay_answers.h"
 #include "engine_sim/replay/replay_message.h"
 #include "engine_sim/replay/replay_timeline.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 using recording::Row;
 using recording::RowKind;
@@ -88,8 +88,8 @@ class Replay {
     }
     std::uint64_t unanswered() const { return answers ? answers->unanswered() : 0; }
     WatchedParticipant participant;
-    wire::Writer<EngineSensors> sensors;
-    wire::Writer<EngineDescription> descriptions;
+    idl::Writer<EngineSensors> sensors;
+    idl::Writer<EngineDescription> descriptions;
     std::optional<ReplayAnswers> answers;
   };
 
@@ -163,4 +163,4 @@ void run_replay(const SimConfig& config, recording::RowSource& rows, const servi
   replay.run(stop);
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -4,15 +4,15 @@
 
 #include <memory>
 
-#include "deploy/recording/row_source.h"
-#include "deploy/service/stop_signal.h"
+#include "deploy/runtime/recording/row_source.h"
+#include "deploy/runtime/service/stop_signal.h"
 #include "engine_sim/scenario/scenario_file.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// Waits for readers, then publishes the rows until their end or a stop.
-/// @throws wire::DdsError when DDS cannot be set up, files::FileError when the file is damaged,
+/// @throws idl::DdsError when DDS cannot be set up, files::FileError when the file is damaged,
 ///         std::runtime_error when under rate max no monitor answers.
 void run_replay(const SimConfig& config, recording::RowSource& rows, const service::StopSignal& stop);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

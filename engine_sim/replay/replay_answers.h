@@ -12,11 +12,11 @@
 
 #include "idl/dds/endpoint.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class ReplayAnswers {
  public:
-  ReplayAnswers(wire::Participant& participant, std::size_t window) : answers_(participant), window_(window) {
+  ReplayAnswers(idl::Participant& participant, std::size_t window) : answers_(participant), window_(window) {
     wait_set_.attach_condition(answers_.condition());
   }
 
@@ -58,7 +58,7 @@ class ReplayAnswers {
   }
 
   static constexpr std::chrono::milliseconds give_up{1000};
-  wire::Reader<EngineResiduals> answers_;  // every processed sample has them, also where an estimate is withheld
+  idl::Reader<EngineResiduals> answers_;  // every processed sample has them, also where an estimate is withheld
   std::size_t window_, pending_total_ = 0;
   std::map<std::uint32_t, std::deque<std::uint64_t>> pending_;
   std::uint64_t unanswered_ = 0;
@@ -66,4 +66,4 @@ class ReplayAnswers {
   eprosima::fastdds::dds::ConditionSeq triggered_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -4,7 +4,7 @@
 
 #include "idl/wire_values.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 static_assert(recording::max_sensors == EHM_MAX_SENSORS && recording::max_actuators == EHM_MAX_ACTUATORS);
 
@@ -30,8 +30,8 @@ EngineDescription description_of(std::uint32_t engine_id, std::uint32_t source_i
   EngineDescription d;
   d.engine_id(engine_id);
   d.source_id(source_id);
-  d.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
-  d.schema(wire::schema_version);
+  d.role(static_cast<std::uint32_t>(idl::DescriptionRole::source));
+  d.schema(idl::schema_version);
   d.sample_time_s(info.sample_time_s);
   const auto describe = [](const std::vector<recording::Channel>& from, auto& to) {
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -45,4 +45,4 @@ EngineDescription description_of(std::uint32_t engine_id, std::uint32_t source_i
   return d;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

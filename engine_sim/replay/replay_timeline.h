@@ -11,9 +11,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "deploy/recording/row.h"
+#include "deploy/runtime/recording/row.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class ReplayTimeline {
  public:
@@ -54,4 +54,4 @@ class ReplayTimeline {
   Last latest_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 void Deterioration::order(std::size_t parameter, double target, double ramp_s, double now_s) {
   const double present = at(now_s, parameter);
@@ -21,4 +21,4 @@ std::vector<double> Deterioration::at(double time_s) const {
   return health;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -7,7 +7,7 @@
 
 #include "engine_sim/scenario/scenario.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class Deterioration {
  public:
@@ -25,4 +25,4 @@ class Deterioration {
   std::vector<PlannedChange> changes_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

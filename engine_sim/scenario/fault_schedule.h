@@ -7,7 +7,7 @@
 
 #include "engine_sim/scenario/scenario.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class FaultSchedule {
  public:
@@ -29,4 +29,4 @@ class FaultSchedule {
   std::vector<ScheduledFault> pending_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

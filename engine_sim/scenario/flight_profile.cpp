@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 FlightProfile::FlightProfile(ProfilePoint start, std::vector<ProfilePoint> points) : points_(std::move(points)) {
   if (points_.empty()) points_.push_back(start);
@@ -39,4 +39,4 @@ ProfilePoint FlightProfile::at(double time_s) const {
   return point;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

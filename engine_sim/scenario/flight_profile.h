@@ -5,7 +5,7 @@
 
 #include "engine_sim/scenario/scenario.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class FlightProfile {
  public:
@@ -23,4 +23,4 @@ class FlightProfile {
   ProfilePoint override_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "engine_sim/control/jt9d_control.h"
+#include "engine_sim/engines/jt9d_control.h"
 #include "engine_sim/model/gas_path.h"
-#include "engine_sim/model/steady.h"
+#include "engine_sim/model/solve/steady.h"
 #include "engine_sim/sensors/sensor_suite.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// A point of the flight profile; between points every quantity is interpolated linearly, outside it is held.
 struct ProfilePoint {
@@ -77,4 +77,4 @@ struct Scenario {
   ControlData control = jt9d_control();
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

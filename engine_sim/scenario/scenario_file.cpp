@@ -4,12 +4,12 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "deploy/config/table_reader.h"
+#include "deploy/runtime/config/table_reader.h"
 #include "engine_sim/linear/linear_model_file.h"
 #include "engine_sim/linear/linear_scenario.h"
 #include "idl/fault_names.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 using config::ConfigError;
 using config::Schema;
@@ -39,10 +39,10 @@ struct Names {
 
 /// Reads the linear model, if one flies, at the first call.
 Names names_of(SimConfig& c) {
-  if (c.linear_model.empty())
+  if (c.linear_file.empty())
     return {list_of(health_names), list_of(sensor_names), {}, std::vector<double>(health_count, 1.0)};
   if (!c.linear) {
-    c.linear = read_linear_model(c.linear_model);
+    c.linear = read_linear_model(c.linear_file);
     c.scenario.wear.clear();
     for (const auto& parameter : c.linear->health) c.scenario.wear.push_back({.initial = parameter.trim});
   }
@@ -217,7 +217,7 @@ void declare(Schema& schema, SimConfig& c) {
                  "how many samples may be unanswered at rate max");
   schema.integer("run.wait_for_monitors", c.wait_for_monitors, 0, 64, "",
                  "start the flight when so many readers of EngineSensors have matched");
-  schema.text("linear.model", c.linear_model,
+  schema.text("linear.model", c.linear_file,
               "a linear model to fly instead of the turbofan: the JSON file that tuner_design reads and writes");
   schema.alias("linear.model", "--linear");
   declare_replay(schema, c.replay);
@@ -304,4 +304,4 @@ void finish_config(SimConfig& c, const Schema& schema) {
   check_profile(c.scenario.profile);
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -18,14 +18,11 @@
 #include <memory>
 #include <string>
 
-#include "deploy/config/schema.h"
+#include "deploy/runtime/config/schema.h"
+#include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/scenario/scenario.h"
 
-namespace ehm::estimation {
-struct LinearModel;
-}
-
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 /// A recording or CSV file instead of a flight.
 struct ReplayOptions {
@@ -37,9 +34,9 @@ struct ReplayOptions {
 struct SimConfig {
   Scenario scenario;
   ReplayOptions replay;
-  std::string linear_model;  ///< file of a model to fly; empty: the turbofan flies
+  std::string linear_file;  ///< file of a model to fly; empty: the turbofan flies
   /// What that file holds, once a table or finish_config has asked for it; null: the turbofan flies.
-  std::shared_ptr<const estimation::LinearModel> linear;
+  std::shared_ptr<const linear_model::LinearModel> linear;
   std::string demand_kind = "t40_k";
   std::string rate = "1";             ///< times real time, or "max": lockstep with the monitor
   std::int64_t lockstep_window = 16;  ///< samples that may be unanswered under "max"
@@ -59,4 +56,4 @@ void declare(config::Schema& schema, SimConfig& config);
 /// loaded `config`.
 void finish_config(SimConfig& config, const config::Schema& schema);
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

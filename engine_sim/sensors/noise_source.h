@@ -1,6 +1,6 @@
 #pragma once
 // Gaussian white noise that is the same on every machine: the generator is specified by the C++ standard, the transform
-// to a normal deviate (Box-Muller) is ours, because std::normal_distribution differs between libraries (THEORY.md 10).
+// to a normal deviate (Box-Muller) is ours, because std::normal_distribution differs between libraries (theory.md, section 10).
 //
 //   n = sqrt(-2 ln u1) cos(2 pi u2),  u1, u2 uniform in (0, 1]
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class NoiseSource {
  public:
@@ -29,4 +29,4 @@ class NoiseSource {
   std::mt19937_64 generator_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 Reading Sensor::read(double truth, double time_s, double dt_s, NoiseSource& noise) {
   const double lag_gain = options_.lag_s > 0.0 ? 1.0 - std::exp(-dt_s / options_.lag_s) : 1.0;
@@ -41,4 +41,4 @@ Reading Sensor::read(double truth, double time_s, double dt_s, NoiseSource& nois
   return {value, true};
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

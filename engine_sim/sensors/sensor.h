@@ -15,7 +15,7 @@
 
 #include "engine_sim/sensors/noise_source.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 enum class FaultKind { none, bias, drift, stuck, dropout, noise };
 
@@ -56,4 +56,4 @@ class Sensor {
   std::uint64_t samples_ = 0;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

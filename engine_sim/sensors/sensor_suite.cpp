@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::array<Reading, sensor_count> SensorSuite::read(const GasPath& gas, double t
   return readings;
 }
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -9,7 +9,7 @@
 #include "engine_sim/model/gas_path.h"
 #include "engine_sim/sensors/sensor.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 inline constexpr std::size_t sensor_count = 7;
 inline constexpr std::size_t auxiliary_count = 4;
@@ -47,4 +47,4 @@ class SensorSuite {
   NoiseSource noise_;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -3,11 +3,11 @@
 
 #include <stdexcept>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 class DdsError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

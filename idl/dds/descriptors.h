@@ -13,7 +13,7 @@
 
 #include "idl/dds/dds_error.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 inline constexpr rlim_t least_descriptors = 64;
 
@@ -34,4 +34,4 @@ inline void require_descriptors() {
                  std::to_string(needed) + " at least");
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

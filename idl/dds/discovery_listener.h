@@ -9,7 +9,7 @@
 #include "idl/dds/stranger_watch.h"
 #include "idl/dds/unreadable_peers.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 class DiscoveryListener : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
@@ -49,4 +49,4 @@ class DiscoveryListener : public eprosima::fastdds::dds::DomainParticipantListen
   std::optional<StrangerWatch> strangers_;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

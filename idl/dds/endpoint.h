@@ -1,7 +1,7 @@
 #pragma once
 // Writer<T> and Reader<T>: one topic each, with the delivery of idl/topics.h.
 //
-// Real-time safe: write and take allocate nothing of ours; what the middleware does in them is measured (DESIGN.md).
+// Real-time safe: write and take allocate nothing of ours; what the middleware does in them is measured (deploy/docs/architecture.md, "Why it is as it is").
 // Both must be destroyed before their Participant.
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include "idl/dds/guarded_type.h"
 #include "idl/dds/participant.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// The topic of T, whose remote endpoints of this side are watched from now on.
 template <class T>
@@ -166,4 +166,4 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   std::vector<std::uint64_t> heard_;  ///< participants of the matched writers, once a writer
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

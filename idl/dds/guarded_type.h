@@ -12,7 +12,7 @@
 #include "idl/dds/intake.h"
 #include "idl/dds/tidy.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 template <class PubSubType>
 class GuardedType : public PubSubType {
@@ -36,4 +36,4 @@ class GuardedType : public PubSubType {
   std::shared_ptr<Intake> intake_;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

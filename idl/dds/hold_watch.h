@@ -12,7 +12,7 @@
 
 #include <cstdint>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 class HoldWatch {
  public:
@@ -36,4 +36,4 @@ class HoldWatch {
   std::int64_t last_ns_;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

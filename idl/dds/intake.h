@@ -8,7 +8,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 class Intake {
  public:
@@ -46,4 +46,4 @@ class Intake {
   std::atomic<std::uint32_t> bytes_{0};
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

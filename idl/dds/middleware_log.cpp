@@ -5,7 +5,7 @@
 #include <mutex>
 #include <utility>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace dds = eprosima::fastdds::dds;
 
@@ -58,4 +58,4 @@ std::string MiddlewareErrors::text() const {
   return collected_->text;
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

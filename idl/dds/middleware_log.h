@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 struct MiddlewareMessage {
   bool error = false;    ///< else a warning
@@ -39,4 +39,4 @@ class MiddlewareErrors {
   std::shared_ptr<Collected> collected_;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

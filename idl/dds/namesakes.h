@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 class Namesakes {
  public:
@@ -39,4 +39,4 @@ class Namesakes {
   std::set<eprosima::fastrtps::rtps::GUID_t> present_;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -10,13 +10,13 @@
 #include <limits>
 #include <optional>
 
-#include "deploy/files/file_error.h"
-#include "deploy/files/input_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/input_file.h"
 #include "idl/dds/descriptors.h"
 #include "idl/dds/discovery_listener.h"
 #include "idl/dds/security.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastdds::rtps;
@@ -184,4 +184,4 @@ void Participant::report_incompatible(const std::string& topic, const char* side
                              policy_name + "; no data flows between them" + remedy);
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -1,9 +1,9 @@
 #pragma once
 // A DDS participant of this project and its endpoints, as owners: what is created is deleted, in the right order.
 //
-// The built-in profile is UDP on the loopback and network interfaces without shared memory (DESIGN.md, "DDS: what was
-// measured"): it re-matches in under 0.1 s after a crash and works between users. Another transport or a discovery
-// server comes from a Fast DDS XML file. Security comes from a directory of certificates, for either profile.
+// The built-in profile is UDP on the loopback and network interfaces without shared memory
+// (deploy/docs/architecture.md, "Why it is as it is"): it re-matches in under 0.1 s after a crash and works between
+// users. Another transport or a discovery server comes from a Fast DDS XML file. Security comes from a directory of certificates, for either profile.
 //
 // @throws DdsError naming the file, profile, topic or entity that could not be had.
 
@@ -29,7 +29,7 @@
 #include "idl/dds/unreadable_peers.h"
 #include "idl/topics.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// What readers of EngineSensors ask of their writers. 0 asks for nothing, so that any plain writer matches; a writer
 /// that does not offer what is asked for is excluded, and that is reported.
@@ -105,4 +105,4 @@ class Participant {
   std::optional<HoldWatch> hold_watch_;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -8,7 +8,7 @@
 
 #include "idl/printable.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 inline std::string participant_text(const eprosima::fastrtps::rtps::ParticipantProxyData& participant) {
   std::ostringstream text;
@@ -18,4 +18,4 @@ inline std::string participant_text(const eprosima::fastrtps::rtps::ParticipantP
   return text.str();
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -1,6 +1,6 @@
 #include "idl/dds/qos.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace dds = eprosima::fastdds::dds;
 using eprosima::fastrtps::Duration_t;
@@ -105,4 +105,4 @@ std::uint64_t participant_number(const eprosima::fastrtps::rtps::InstanceHandle_
   return number_of(publication, 12);
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -2,7 +2,7 @@
 // The project's delivery classes as DDS policies, one place for both services, the demo and the examples.
 //
 // Streams are reliable and keep last; a reader that falls further behind than the depth loses the oldest, and sees it
-// by the gap in sequence_number. Ownership is shared unless redundancy is asked for (DESIGN.md, "The wire").
+// by the gap in sequence_number. Ownership is shared unless redundancy is asked for (deploy/docs/architecture.md, "Fixed contracts").
 
 #include <fastdds/rtps/common/InstanceHandle.h>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 #include "idl/topics.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// How the estimates of several monitors for one engine are told apart.
 struct Redundancy {
@@ -40,4 +40,4 @@ std::uint64_t writer_number(const eprosima::fastrtps::rtps::InstanceHandle_t& pu
 /// The same for the participant that it belongs to.
 std::uint64_t participant_number(const eprosima::fastrtps::rtps::InstanceHandle_t& publication);
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -7,7 +7,7 @@
 
 #include "idl/dds/security_files.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 using eprosima::fastrtps::rtps::Property;
 
@@ -36,4 +36,4 @@ void check_security(const std::string& directory) {
   if (!directory.empty()) examine_identity(directory);
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 /// The properties that switch on authentication (PKI-DH), access control and cryptography (AES-GCM-GMAC).
 std::vector<eprosima::fastrtps::rtps::Property> security_properties(const std::string& directory);
@@ -18,4 +18,4 @@ std::vector<eprosima::fastrtps::rtps::Property> security_properties(const std::s
 /// Nothing if the directory is complete, or if none is given; throws what security_properties would.
 void check_security(const std::string& directory);
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

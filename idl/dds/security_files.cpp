@@ -11,11 +11,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "deploy/files/file_error.h"
-#include "deploy/files/input_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/input_file.h"
 #include "idl/dds/dds_error.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace {
 
@@ -142,4 +142,4 @@ IdentityFacts examine_identity(const std::string& directory) {
   return {seconds_of(X509_get0_notAfter(certificate.get())), fingerprint_of(directory)};
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 struct IdentityFacts {
   std::int64_t expires_s = 0;  ///< seconds since 1970: the certificate's notAfter
@@ -17,4 +17,4 @@ struct IdentityFacts {
 
 /// Reads and verifies all files of `directory`.
 IdentityFacts examine_identity(const std::string& directory);
-}  // namespace ehm::wire
+}  // namespace ehm::idl

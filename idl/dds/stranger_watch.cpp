@@ -6,7 +6,7 @@
 
 #include "idl/dds/participant_text.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
@@ -83,4 +83,4 @@ std::string StrangerWatch::settle(const rtps::GUID_t& guid) {
   return text.str();
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -15,7 +15,7 @@
 #include <mutex>
 #include <string>
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 class StrangerWatch : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
@@ -57,4 +57,4 @@ class StrangerWatch : public eprosima::fastdds::dds::DomainParticipantListener {
   std::size_t next_ = 0;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

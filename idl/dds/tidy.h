@@ -14,7 +14,7 @@
 #include "engine_health.h"
 #include "idl/printable.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace tidying {
 
@@ -62,4 +62,4 @@ void tidy(Sample& s) {
   if constexpr (requires { s.channel_name(); }) clean(s.channel_name());
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

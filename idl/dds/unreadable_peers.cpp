@@ -8,7 +8,7 @@
 #include "idl/dds/participant_text.h"
 #include "idl/dds/qos.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 namespace rtps = eprosima::fastrtps::rtps;
 namespace dds = eprosima::fastdds::dds;
@@ -199,4 +199,4 @@ void UnreadablePeers::say_if_none_is_left() {
   if (say_) say_(false, "those that can never be read, or never read, are gone");
 }
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -29,7 +29,7 @@
 
 #include "idl/dds/intake.h"
 
-namespace ehm::wire {
+namespace ehm::idl {
 
 class UnreadablePeers {
  public:
@@ -89,4 +89,4 @@ class UnreadablePeers {
   bool any_told_ = false;
 };
 
-}  // namespace ehm::wire
+}  // namespace ehm::idl

@@ -2,22 +2,22 @@
 
 #include <limits>
 
-#include "monitor/design/content_hash.h"
-#include "monitor/design/file_error.h"
-#include "monitor/design/json_object.h"
+#include "deploy/runtime/files/content_hash.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/json_object.h"
 
 namespace ehm::monitor {
 
 namespace {
 
-using design::Json;
-using design::JsonObject;
+using files::Json;
+using files::JsonObject;
 
 constexpr const char* remedy = "Remove the file; the monitor then starts cold and writes a new one";
 
 [[noreturn]] void defect(const JsonObject& object, const std::string& name, const Json& value,
                          const std::string& allowed) {
-  design::throw_defect(object.file(), object.key(name), design::shown(value), allowed, remedy);
+  files::throw_defect(object.file(), object.key(name), files::shown(value), allowed, remedy);
 }
 
 template <class Integer>
@@ -39,8 +39,8 @@ Integer integer(JsonObject& object, const std::string& name, Integer min, Intege
 Eigen::Index length(JsonObject& object, const std::string& name, int max) {
   const Json& value = object.array(name);
   if (value.empty() || value.size() > static_cast<std::size_t>(max))
-    design::throw_defect(object.file(), object.key(name), std::to_string(value.size()) + " long",
-                         "1 to " + std::to_string(max), remedy);
+    files::throw_defect(object.file(), object.key(name), std::to_string(value.size()) + " long",
+                        "1 to " + std::to_string(max), remedy);
   return static_cast<Eigen::Index>(value.size());
 }
 
@@ -49,8 +49,8 @@ Eigen::MatrixXd matrix(JsonObject& object, const std::string& name, Eigen::Index
   const Json& first = object.array(name);
   const std::size_t columns = first.empty() || !first[0].is_array() ? 0 : first[0].size();
   if (columns > static_cast<std::size_t>(max_columns))
-    design::throw_defect(object.file(), object.key(name), std::to_string(columns) + " columns wide",
-                         "at most " + std::to_string(max_columns), remedy);
+    files::throw_defect(object.file(), object.key(name), std::to_string(columns) + " columns wide",
+                        "at most " + std::to_string(max_columns), remedy);
   return object.matrix(name, rows, static_cast<Eigen::Index>(columns));
 }
 
@@ -59,13 +59,13 @@ template <class Matrix>
 void require_moderate(const JsonObject& object, const std::string& name, const Matrix& values) {
   constexpr double largest = 1e9;
   if (values.size() > 0 && values.cwiseAbs().maxCoeff() > largest)
-    defect(object, name, values.cwiseAbs().maxCoeff(), "magnitudes up to " + design::shown(largest));
+    defect(object, name, values.cwiseAbs().maxCoeff(), "magnitudes up to " + files::shown(largest));
 }
 
 Json error_to_json(const estimation::ErrorState& error) {
   return {{"remaining_samples", error.remaining},
-          {"mean", design::to_json(error.mean, "checkpoint", "error.mean")},
-          {"covariance", design::to_json(error.covariance, "checkpoint", "error.covariance")}};
+          {"mean", files::to_json(error.mean, "checkpoint", "error.mean")},
+          {"covariance", files::to_json(error.covariance, "checkpoint", "error.covariance")}};
 }
 
 estimation::ErrorState error_from_json(JsonObject& root, Eigen::Index augmented) {
@@ -124,7 +124,7 @@ void verify(JsonObject& root, Json content) {
     defect(root, "schema", schema, std::string("\"") + checkpoint_schema + "\"");
   const std::string stated = root.text("hash");
   content.erase("hash");
-  const std::string actual = design::sha256_hex(content.dump());
+  const std::string actual = files::sha256_hex(content.dump());
   if (stated != actual) defect(root, "hash", stated, "\"" + actual + "\", the SHA-256 of the content");
 }
 
@@ -139,15 +139,15 @@ std::string to_text(const Checkpoint& c) {
                {"source", {{"id", s.source_id}, {"sequence", s.sequence}, {"time_ns", s.source_time_ns}}},
                {"missing_sensor", s.missing_sensor},
                {"excluded_sensors", s.excluded.to_ulong()},
-               {"estimate", design::vector_to_json(s.estimate, "checkpoint", "estimate")},
+               {"estimate", files::vector_to_json(s.estimate, "checkpoint", "estimate")},
                {"error", error_to_json(s.error)},
                {"return_gate", return_gate_to_json(s.return_gate)}};
-  json["hash"] = design::sha256_hex(json.dump());
+  json["hash"] = files::sha256_hex(json.dump());
   return json.dump() + "\n";
 }
 
 Checkpoint parse_checkpoint(std::string_view text, const std::string& file) {
-  const Json json = design::parse_json_text(std::string(text), file);
+  const Json json = files::parse_json_text(std::string(text), file);
   JsonObject root(json, file, "");
   verify(root, json);
   Checkpoint c;

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "monitor/cycle_state.h"
+#include "monitor/cycle/cycle_state.h"
 
 namespace ehm::monitor {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "deploy/files/atomic_file.h"
-#include "deploy/files/file_error.h"
-#include "deploy/files/input_file.h"
-#include "monitor/design/json_object.h"
+#include "deploy/runtime/files/atomic_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/input_file.h"
+#include "deploy/runtime/files/json_object.h"
 
 namespace ehm::monitor {
 
@@ -41,7 +41,7 @@ std::string misfit(const Checkpoint& c, std::uint32_t named, const std::string& 
     return "was made with design " + c.design_hash.substr(0, 12) + ", now flies " + design_hash.substr(0, 12);
   const double age_s = 1e-9 * (static_cast<double>(wall_time_ns) - static_cast<double>(c.wall_time_ns));
   if (std::abs(age_s) > max_age_s)
-    return "is " + design::shown(std::round(age_s)) + " s old, checkpoint.max_age_s allows " + design::shown(max_age_s);
+    return "is " + files::shown(std::round(age_s)) + " s old, checkpoint.max_age_s allows " + files::shown(max_age_s);
   return {};
 }
 

@@ -20,7 +20,7 @@ std::optional<Event> CheckpointKeeper::resume(EngineSlot& slot) const noexcept {
   const Resumption verdict = slot.cycle.resume(checkpoint->state, slot.sample, max_age_s_);
   const double gap_s =
       continuation(checkpoint->state, slot.sample, slot.cycle.design().model.sample_time_s, max_age_s_).gap_s;
-  return Event{wire::EventKind::checkpoint,        0, verdict != Resumption::taken, gap_s, max_age_s_,
+  return Event{idl::EventKind::checkpoint,         0, verdict != Resumption::taken, gap_s, max_age_s_,
                static_cast<std::uint32_t>(verdict)};
 }
 

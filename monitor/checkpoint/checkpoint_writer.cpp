@@ -5,9 +5,9 @@
 #include <chrono>
 #include <filesystem>
 
-#include "deploy/files/atomic_file.h"
-#include "deploy/files/file_error.h"
-#include "deploy/service/last_catch.h"
+#include "deploy/runtime/files/atomic_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/service/last_catch.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
 
 namespace ehm::monitor {
@@ -68,7 +68,7 @@ void CheckpointWriter::write(const CheckpointRequest& request) {
 void CheckpointWriter::tell(bool failing, const std::string& why) {
   if (failing == failing_) return;
   failing_ = failing;
-  notices_.post({wire::EventKind::checkpoint, failing,
+  notices_.post({idl::EventKind::checkpoint, failing,
                  failing ? "checkpoints cannot be written, the monitor flies without and tries again: " + why
                          : "checkpoints are written again"});
 }

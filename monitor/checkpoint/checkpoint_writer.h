@@ -11,9 +11,9 @@
 #include <string>
 #include <thread>
 
-#include "monitor/cycle_state.h"
-#include "monitor/notice_board.h"
+#include "monitor/cycle/cycle_state.h"
 #include "monitor/realtime/spsc_queue.h"
+#include "monitor/service/notice_board.h"
 
 namespace ehm::monitor {
 

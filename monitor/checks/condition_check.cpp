@@ -14,7 +14,7 @@ struct Agility {
 
 constexpr Agility altitude{100.0, 150.0}, mach{0.03, 0.1}, delta_isa{5.0, 2.0};
 
-Agility agility(const estimation::Channel& actuator) {
+Agility agility(const linear_model::Channel& actuator) {
   if (actuator.unit == "deg") return {3.0, 60.0};
   if (actuator.unit == "fraction") return {0.03, 1.0};
   if (actuator.trim == 0.0) return {std::numeric_limits<double>::infinity(), 0.0};
@@ -64,13 +64,13 @@ void WordCheck::reset() noexcept {
   good_run_ = bad_run_ = candidate_run_ = since_good_ = 0;
 }
 
-ConditionCheck::ConditionCheck(const CheckOptions& options, const estimation::LinearModel& model)
+ConditionCheck::ConditionCheck(const CheckOptions& options, const linear_model::LinearModel& model)
     : fault_(flight_words + model.controls.size()) {
   const auto add = [&](const Agility& a, double otherwise) {
     words_.emplace_back(a.jump, a.slew_per_s * model.sample_time_s, options);
     otherwise_.push_back(otherwise);
   };
-  const auto point = model.operating_point.value_or(estimation::OperatingPoint{});
+  const auto point = model.operating_point.value_or(linear_model::OperatingPoint{});
   add(altitude, point.altitude_m);
   add(mach, point.mach);
   add(delta_isa, point.delta_isa_k);
@@ -98,7 +98,7 @@ bool ConditionCheck::mend(std::size_t word, double& value, int steps, EventList&
   const auto detail = static_cast<std::uint32_t>(state == WordCheck::State::lost);
   if (begins || check.steady())
     fault_[word].set(begins,
-                     {wire::EventKind::condition_fault, static_cast<std::uint32_t>(word), begins, came, good, detail},
+                     {idl::EventKind::condition_fault, static_cast<std::uint32_t>(word), begins, came, good, detail},
                      events);
   return state != WordCheck::State::lost;
 }
@@ -106,7 +106,7 @@ bool ConditionCheck::mend(std::size_t word, double& value, int steps, EventList&
 void ConditionCheck::reset(EventList& events) noexcept {
   for (std::size_t i = 0; i < words_.size(); ++i) {
     words_[i].reset();
-    fault_[i].set(false, {wire::EventKind::condition_fault, static_cast<std::uint32_t>(i), false, 0.0, 0.0, 0}, events);
+    fault_[i].set(false, {idl::EventKind::condition_fault, static_cast<std::uint32_t>(i), false, 0.0, 0.0, 0}, events);
   }
 }
 

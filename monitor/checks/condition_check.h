@@ -18,10 +18,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "monitor/estimation/linear_model.h"
-#include "monitor/judge/events.h"
-#include "monitor/options.h"
-#include "monitor/sample.h"
+#include "engine_sim/linear_model/linear_model.h"
+#include "monitor/data/events.h"
+#include "monitor/data/options.h"
+#include "monitor/data/sample.h"
 
 namespace ehm::monitor {
 
@@ -61,7 +61,7 @@ class WordCheck {
 
 class ConditionCheck {
  public:
-  ConditionCheck(const CheckOptions& options, const estimation::LinearModel& model);
+  ConditionCheck(const CheckOptions& options, const linear_model::LinearModel& model);
 
   /// Puts good words in the place of bad ones. False where a word is lost: the sample is not to be estimated from.
   bool mend(Sample& sample, int steps, EventList& events) noexcept;

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "monitor/options.h"
+#include "monitor/data/options.h"
 
 namespace ehm::monitor {
 

@@ -16,7 +16,7 @@ constexpr double implausible = 10.0;
 }  // namespace
 
 bool SampleCheck::malformed(const Sample& s) const noexcept {
-  if (s.schema != wire::schema_version) return true;
+  if (s.schema != idl::schema_version) return true;
   if (s.sensor_count != static_cast<std::uint32_t>(sensors_)) return true;
   return s.actuator_count != static_cast<std::uint32_t>(actuators_);
 }

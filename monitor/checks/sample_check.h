@@ -23,8 +23,8 @@
 
 #include "monitor/checks/sequence_order.h"
 #include "monitor/checks/source_clock.h"
-#include "monitor/options.h"
-#include "monitor/sample.h"
+#include "monitor/data/options.h"
+#include "monitor/data/sample.h"
 
 namespace ehm::monitor {
 

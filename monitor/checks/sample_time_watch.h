@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "monitor/checks/sample_check.h"
-#include "monitor/judge/events.h"
+#include "monitor/data/events.h"
 
 namespace ehm::monitor {
 
@@ -37,18 +37,18 @@ class SampleTimeWatch {
       const double excess = mean_s / sample_time_s_ - 1.0;
       const int side = excess > tolerance ? 1 : excess < -tolerance ? -1 : 0;
       condition_.set(side != 0 && (condition_.raised() || side == last_side_),
-                     {wire::EventKind::sample_time, 0, false, mean_s, sample_time_s_, 0}, events);
+                     {idl::EventKind::sample_time, 0, false, mean_s, sample_time_s_, 0}, events);
       last_side_ = side;
       begin_block();
     } else if (steps_ >= too_long) {
-      condition_.set(false, {wire::EventKind::sample_time, 0, false, 0.0, sample_time_s_, not_measured}, events);
+      condition_.set(false, {idl::EventKind::sample_time, 0, false, 0.0, sample_time_s_, not_measured}, events);
       last_side_ = 0;
       begin_block();
     }
     return !condition_.raised();
   }
   void end_with_design(EventList& events) noexcept {
-    condition_.end_with_design(wire::EventKind::sample_time, 0, events);
+    condition_.end_with_design(idl::EventKind::sample_time, 0, events);
   }
 
  private:

@@ -4,20 +4,20 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine_sim/linear_model/scaling.h"
+#include "engine_sim/linear_model/sensor_noise.h"
 #include "idl/wire_values.h"
-#include "monitor/estimation/scaling.h"
-#include "monitor/estimation/sensor_noise.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::monitor {
 
-namespace reason = wire::reject_reason;
+namespace reason = idl::reject_reason;
 
 namespace {
 
 constexpr double spreads_of_range = 10.0;  ///< in a hundredth of the range's scale: 60 % leave six
 
-void require_known(const std::vector<SensorOptions>& sensors, const estimation::LinearModel& model) {
+void require_known(const std::vector<SensorOptions>& sensors, const linear_model::LinearModel& model) {
   for (const SensorOptions& option : sensors) {
     std::string names;
     bool known = false;
@@ -34,14 +34,14 @@ void require_known(const std::vector<SensorOptions>& sensors, const estimation::
 }  // namespace
 
 SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
-                       const estimation::LinearModel& model, std::size_t sensor) {
+                       const linear_model::LinearModel& model, std::size_t sensor) {
   const auto i = static_cast<Eigen::Index>(sensor);
-  SensorKind kind{.noise_sigma = estimation::own_sigma(model, i),
-                  .resolution = estimation::resolution(model, i),
+  SensorKind kind{.noise_sigma = linear_model::own_sigma(model, i),
+                  .resolution = linear_model::resolution(model, i),
                   .update_samples = 0,
                   .least = options.stuck_samples};
   if (model.sensor_update_period_s.size() > 0 && model.sensor_update_period_s(i) > 0.0)
-    kind.update_samples = estimation::held_samples(model, i);
+    kind.update_samples = linear_model::held_samples(model, i);
   for (const SensorOptions& option : sensors) {
     if (option.name != model.sensors[sensor].name) continue;
     if (option.resolution >= 0.0) kind.resolution = option.resolution;
@@ -51,7 +51,7 @@ SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOpti
 }
 
 SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
-                         const estimation::LinearModel& model)
+                         const linear_model::LinearModel& model)
     : options_(options), memory_(model.sensors.size()), quiet_(model.sensors.size()) {
   require_known(sensors, model);
   // sqrt of diag(H Ph H^T): what the fleet's health makes of each sensor
@@ -59,7 +59,7 @@ SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOp
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
     trim_.push_back(model.sensors[i].trim);
     const auto at = static_cast<Eigen::Index>(i);
-    percent_.push_back(std::max({estimation::percent_of_trim(model.sensors[i], 0.0), model.sensor_noise_sigma(at),
+    percent_.push_back(std::max({linear_model::percent_of_trim(model.sensors[i], 0.0), model.sensor_noise_sigma(at),
                                  spread(at) / spreads_of_range}));
     const SensorKind kind = sensor_kind(options, sensors, model, i);
     stuck_.emplace_back(kind);

@@ -2,17 +2,17 @@
 // What one sensor's value tells by itself, before any model is asked: validity bit, finite, range, rate, and beside its
 // last ones stuck or held (stuck_watch.h), or without its noise (quiet_watch.h).
 //
-// The result is a set of wire::reject_reason bits, 0 for a plausible value. A value that a slow sensor still holds is
+// The result is a set of idl::reject_reason bits, 0 for a plausible value. A value that a slow sensor still holds is
 // plausible, but no news: it is `repeated`, and fused once. Real-time safe: yes.
 
 #include <cstdint>
 #include <vector>
 
+#include "engine_sim/linear_model/linear_model.h"
 #include "monitor/checks/quiet_watch.h"
 #include "monitor/checks/stuck_watch.h"
-#include "monitor/estimation/linear_model.h"
-#include "monitor/options.h"
-#include "monitor/sample.h"
+#include "monitor/data/options.h"
+#include "monitor/data/sample.h"
 
 namespace ehm::monitor {
 
@@ -23,7 +23,7 @@ class SensorCheck {
   /// lies near zero.
   /// @throws std::invalid_argument if one of `sensors` names no sensor of the model (names those that it has).
   SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
-              const estimation::LinearModel& model);
+              const linear_model::LinearModel& model);
 
   /// `steps` sample times lie between this value and the last one.
   std::uint32_t reasons(const Sample& sample, int sensor, int steps) noexcept;
@@ -54,6 +54,6 @@ class SensorCheck {
 
 /// What model and operator know of a sensor.
 SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
-                       const estimation::LinearModel& model, std::size_t sensor);
+                       const linear_model::LinearModel& model, std::size_t sensor);
 
 }  // namespace ehm::monitor

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "monitor/judge/events.h"
-#include "monitor/sample.h"
+#include "monitor/data/events.h"
+#include "monitor/data/sample.h"
 
 namespace ehm::monitor {
 
@@ -24,7 +24,7 @@ class SequenceWatch {
     ++lately_;
     good_ = 0;
     if (lately_ >= enough)
-      condition_.set(true, {wire::EventKind::source_sequence, 0, true, static_cast<double>(sample.sequence), 0.0, 0},
+      condition_.set(true, {idl::EventKind::source_sequence, 0, true, static_cast<double>(sample.sequence), 0.0, 0},
                      events);
   }
   void in_order(const Sample& sample, EventList& events) noexcept {
@@ -39,7 +39,7 @@ class SequenceWatch {
   void end(EventList& events) noexcept {
     lately_ = 0;
     good_ = 0;
-    condition_.set(false, {wire::EventKind::source_sequence, 0, false, 0.0, 0.0, 0}, events);
+    condition_.set(false, {idl::EventKind::source_sequence, 0, false, 0.0, 0.0, 0}, events);
   }
 
  private:

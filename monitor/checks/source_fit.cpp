@@ -15,10 +15,10 @@ double converted(const ChannelFit& fit, double value) noexcept {
 
 }  // namespace
 
-ChannelFit fit_channel(const ChannelWords& said, const std::vector<estimation::Channel>& channels,
+ChannelFit fit_channel(const ChannelWords& said, const std::vector<linear_model::Channel>& channels,
                        std::size_t i) noexcept {
   const bool same_name = said.name.empty() || said.name == channels[i].name;
-  const auto has_it = [&](const estimation::Channel& channel) { return channel.name == said.name; };
+  const auto has_it = [&](const linear_model::Channel& channel) { return channel.name == said.name; };
   if (!same_name && std::any_of(channels.begin(), channels.end(), has_it)) return {Misfit::place, {}};
   const auto conversion = units::conversion(said.unit, channels[i].unit);
   if (!conversion) return {Misfit::unit, {}};

@@ -18,10 +18,10 @@
 #include <string_view>
 #include <vector>
 
-#include "deploy/units/units.h"
+#include "deploy/runtime/units/units.h"
+#include "engine_sim/linear_model/linear_model.h"
+#include "monitor/data/sample.h"
 #include "monitor/estimation/capacity.h"
-#include "monitor/estimation/linear_model.h"
-#include "monitor/sample.h"
 
 namespace ehm::monitor {
 
@@ -49,7 +49,7 @@ struct ChannelFit {
 };
 
 /// Of channel `i` of the design's `channels`.
-ChannelFit fit_channel(const ChannelWords& said, const std::vector<estimation::Channel>& channels,
+ChannelFit fit_channel(const ChannelWords& said, const std::vector<linear_model::Channel>& channels,
                        std::size_t i) noexcept;
 
 struct SourceFit {

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "monitor/checks/sample_check.h"
-#include "monitor/judge/events.h"
+#include "monitor/data/events.h"
 
 namespace ehm::monitor {
 
@@ -25,7 +25,7 @@ class StampWatch {
       good_s_ = 0.0;
       condition_.set(
           true,
-          {wire::EventKind::source_stamps, 0, true, decision.dt_s, 0.0, static_cast<std::uint32_t>(decision.stamp)},
+          {idl::EventKind::source_stamps, 0, true, decision.dt_s, 0.0, static_cast<std::uint32_t>(decision.stamp)},
           events);
     } else if (condition_.raised()) {
       good_s_ += sample_time_s_ * decision.steps;
@@ -34,7 +34,7 @@ class StampWatch {
   }
   bool raised() const noexcept { return condition_.raised(); }
   void end(EventList& events) noexcept {
-    condition_.set(false, {wire::EventKind::source_stamps, 0, false, 0.0, 0.0, 0}, events);
+    condition_.set(false, {idl::EventKind::source_stamps, 0, false, 0.0, 0.0, 0}, events);
   }
 
  private:

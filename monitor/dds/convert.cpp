@@ -25,13 +25,13 @@ void copy(const Vector& from, Array& to) noexcept {
 template <class Wire>
 void stamp_with(Wire& wire, const Stamp& stamp) noexcept {
   wire.engine_id(stamp.engine_id);
-  wire.schema(wire::schema_version);
+  wire.schema(idl::schema_version);
   wire.sequence_number(stamp.sequence);
   wire.source_time_ns(stamp.source_time_ns);
   wire.source_id(stamp.source_id);
 }
 
-ChannelDescription channel(const estimation::Channel& from, double sigma) {
+ChannelDescription channel(const linear_model::Channel& from, double sigma) {
   ChannelDescription to;
   to.name() = from.name.c_str();
   to.unit() = from.unit.c_str();
@@ -98,8 +98,8 @@ EngineDescription describe(const design::Design& design, std::uint32_t engine_id
   EngineDescription d;
   d.engine_id(engine_id);
   d.source_id(source_id);
-  d.role(static_cast<std::uint32_t>(wire::DescriptionRole::monitor));
-  d.schema(wire::schema_version);
+  d.role(static_cast<std::uint32_t>(idl::DescriptionRole::monitor));
+  d.schema(idl::schema_version);
   d.engine_type() = model.engine_type.c_str();
   d.design_hash() = design.hash.c_str();
   d.sample_time_s(model.sample_time_s);

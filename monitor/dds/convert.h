@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "idl/layout.h"
-#include "monitor/monitor_cycle.h"
+#include "monitor/cycle/monitor_cycle.h"
 
 namespace ehm::monitor {
 

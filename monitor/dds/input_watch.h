@@ -12,7 +12,7 @@
 #include <mutex>
 
 #include "idl/dds/participant.h"
-#include "monitor/notice_board.h"
+#include "monitor/service/notice_board.h"
 
 namespace ehm::monitor {
 
@@ -22,7 +22,7 @@ class InputWatch {
       : notices_(notices), deadline_s_(deadline_s), lease_s_(lease_s) {}
 
   /// What the participant's readers of EngineSensors shall ask for; calls back into this object.
-  wire::InputRequest request();
+  idl::InputRequest request();
   /// Ends the deadline conditions of engines that have been in time for two periods.
   void settle(std::int64_t now_ns);
 

@@ -5,8 +5,8 @@
 namespace ehm::monitor {
 
 std::string misfit_text(const std::string& what, std::size_t i, const ChannelWords& said, const std::string& by,
-                        const std::vector<estimation::Channel>& channels, Misfit misfit) {
-  const estimation::Channel& own = channels.at(i);
+                        const std::vector<linear_model::Channel>& channels, Misfit misfit) {
+  const linear_model::Channel& own = channels.at(i);
   const std::string text =
       fmt::format("{} {} is {} in {} by {}, {} in {} by the design", what, i, said.name.empty() ? own.name : said.name,
                   said.unit.empty() ? own.unit : said.unit, by, own.name, own.unit);

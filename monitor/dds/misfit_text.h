@@ -9,6 +9,6 @@ namespace ehm::monitor {
 
 /// "sensor 3 is T30 in degC by KIND, T24 in K by the design: ...". `what`: sensor or actuator.
 std::string misfit_text(const std::string& what, std::size_t i, const ChannelWords& said, const std::string& by,
-                        const std::vector<estimation::Channel>& channels, Misfit misfit);
+                        const std::vector<linear_model::Channel>& channels, Misfit misfit);
 
 }  // namespace ehm::monitor

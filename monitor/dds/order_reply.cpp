@@ -3,7 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "idl/wire_values.h"
-#include "monitor/reset_throttle.h"
+#include "monitor/service/reset_throttle.h"
 
 namespace ehm::monitor {
 
@@ -19,10 +19,10 @@ std::string text_of(std::uint32_t engine_id, const OrderOutcome& o) {
                                   "out until they requalify",
                                   o.engines);
     case Kind::other_schema:
-      return fmt::format("its schema is not {}", wire::schema_version);
+      return fmt::format("its schema is not {}", idl::schema_version);
     case Kind::unknown_kind:
       return fmt::format("kind {} is unknown, {} is a reset", o.order,
-                         static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+                         static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
     case Kind::not_served:
       return engine_id == 0 ? "no engine is served yet" : fmt::format("engine {} is not served here", engine_id);
     case Kind::too_soon:
@@ -38,8 +38,8 @@ CommandReply reply_to(std::uint32_t engine_id, const OrderOutcome& outcome, std:
   CommandReply reply;
   reply.engine_id(engine_id);
   reply.source_id(source_id);
-  reply.role(static_cast<std::uint32_t>(wire::DescriptionRole::monitor));
-  reply.schema(wire::schema_version);
+  reply.role(static_cast<std::uint32_t>(idl::DescriptionRole::monitor));
+  reply.schema(idl::schema_version);
   reply.request(outcome.request);
   reply.kind(outcome.order);
   reply.accepted(outcome.kind == OrderOutcome::Kind::done ? 1 : 0);

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "monitor/report.h"
+#include "monitor/service/report.h"
 
 namespace ehm::monitor {
 

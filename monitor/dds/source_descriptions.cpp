@@ -31,15 +31,15 @@ std::uint32_t copy_channels(const Wire& from, std::uint32_t count, Channels& to)
 
 }  // namespace
 
-std::size_t DescribedSource::sensors_of(const estimation::LinearModel& m) const noexcept {
+std::size_t DescribedSource::sensors_of(const linear_model::LinearModel& m) const noexcept {
   return std::min<std::size_t>(sensor_count, m.sensors.size());
 }
 
-std::size_t DescribedSource::actuators_of(const estimation::LinearModel& m) const noexcept {
+std::size_t DescribedSource::actuators_of(const linear_model::LinearModel& m) const noexcept {
   return std::min<std::size_t>(actuator_count, m.controls.size());
 }
 
-void DescribedSource::fit_to(const estimation::LinearModel& m) noexcept {
+void DescribedSource::fit_to(const linear_model::LinearModel& m) noexcept {
   model = &m;
   fit = {};
   for (std::size_t i = 0; i < sensors_of(m); ++i) fit.sensors[i] = fit_channel(sensors[i].words(), m.sensors, i);
@@ -53,7 +53,7 @@ DescribedSource* SourceDescriptions::place(const SourceKey& key) {
 }
 
 DescribedSource* SourceDescriptions::keep(const EngineDescription& d) {
-  if (d.role() != static_cast<std::uint32_t>(wire::DescriptionRole::source) || d.schema() != wire::schema_version)
+  if (d.role() != static_cast<std::uint32_t>(idl::DescriptionRole::source) || d.schema() != idl::schema_version)
     return nullptr;
   DescribedSource* source = place({d.engine_id(), d.source_id(), reader_.participant()});
   if (!source) return nullptr;

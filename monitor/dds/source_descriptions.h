@@ -32,20 +32,20 @@ struct DescribedSource {
   std::array<DescribedChannel, estimation::max_actuators> actuators;
   std::uint32_t sensor_count = 0, actuator_count = 0;
   bool described = false, waited_for = false;
-  const estimation::LinearModel* model = nullptr;  ///< that `fit` is of; null: none yet
+  const linear_model::LinearModel* model = nullptr;  ///< that `fit` is of; null: none yet
   SourceFit fit;
   std::uint32_t told = 0;  ///< misfits that are raised: bit i a sensor, bit max_sensors + i an actuator
 
   /// Channels that both this source and the model have.
-  std::size_t sensors_of(const estimation::LinearModel& m) const noexcept;
-  std::size_t actuators_of(const estimation::LinearModel& m) const noexcept;
+  std::size_t sensors_of(const linear_model::LinearModel& m) const noexcept;
+  std::size_t actuators_of(const linear_model::LinearModel& m) const noexcept;
   /// Fits the source to a model.
-  void fit_to(const estimation::LinearModel& m) noexcept;
+  void fit_to(const linear_model::LinearModel& m) noexcept;
 };
 
 class SourceDescriptions {
  public:
-  explicit SourceDescriptions(wire::Participant& participant) : reader_(participant) {}
+  explicit SourceDescriptions(idl::Participant& participant) : reader_(participant) {}
 
   eprosima::fastdds::dds::StatusCondition& condition() { return reader_.condition(); }
   /// Takes what has come, and calls `said(key, source)` for each description of a source; its `fit` is still of what it
@@ -70,7 +70,7 @@ class SourceDescriptions {
   DescribedSource* place(const SourceKey& key);
 
   static constexpr int most_a_turn = 64;
-  wire::Reader<EngineDescription> reader_;
+  idl::Reader<EngineDescription> reader_;
   EngineDescription incoming_;
   std::map<SourceKey, DescribedSource> sources_;
 };

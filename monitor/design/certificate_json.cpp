@@ -1,32 +1,34 @@
 #include "monitor/design/certificate_json.h"
 
-#include "monitor/design/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 
 namespace ehm::design {
 namespace {
 
 constexpr const char* make_again = "Make the design again with tuner_design design";
 
-bool truth(JsonObject& object, const std::string& key) {
-  const Json& value = object.at(key);
-  if (!value.is_boolean()) throw_defect(object.file(), object.key(key), shown(value), "true or false", make_again);
+bool truth(files::JsonObject& object, const std::string& key) {
+  const files::Json& value = object.at(key);
+  if (!value.is_boolean())
+    files::throw_defect(object.file(), object.key(key), files::shown(value), "true or false", make_again);
   return value.get<bool>();
 }
 
-int count(JsonObject& object, const std::string& key) {
-  const Json& value = object.at(key);
+int count(files::JsonObject& object, const std::string& key) {
+  const files::Json& value = object.at(key);
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1'000'000'000)
-    throw_defect(object.file(), object.key(key), shown(value), "an integer from 0 to 1000000000", make_again);
+    files::throw_defect(object.file(), object.key(key), files::shown(value), "an integer from 0 to 1000000000",
+                        make_again);
   return value.get<int>();
 }
 
 /// A vector of whatever length the file gives.
-Eigen::VectorXd any_vector(JsonObject& object, const std::string& key) {
+Eigen::VectorXd any_vector(files::JsonObject& object, const std::string& key) {
   return object.vector(key, static_cast<Eigen::Index>(object.array(key).size()));
 }
 
-SearchStart start_from(const Json& json, const std::string& file, const std::string& path) {
-  JsonObject object(json, file, path);
+SearchStart start_from(const files::Json& json, const std::string& file, const std::string& path) {
+  files::JsonObject object(json, file, path);
   SearchStart start;
   start.name = object.text("name");
   start.first = object.number("first");
@@ -38,8 +40,8 @@ SearchStart start_from(const Json& json, const std::string& file, const std::str
   return start;
 }
 
-CertifiedPoint point_from(const Json& json, const std::string& file, const std::string& path) {
-  JsonObject object(json, file, path);
+CertifiedPoint point_from(const files::Json& json, const std::string& file, const std::string& path) {
+  files::JsonObject object(json, file, path);
   CertifiedPoint point;
   point.model = object.text("model");
   point.weight = object.positive_number("weight");
@@ -51,8 +53,8 @@ CertifiedPoint point_from(const Json& json, const std::string& file, const std::
 
 }  // namespace
 
-Json certificate_to_json(const Certificate& certificate, const std::string& file) {
-  Json starts = Json::array(), points = Json::array();
+files::Json certificate_to_json(const Certificate& certificate, const std::string& file) {
+  files::Json starts = files::Json::array(), points = files::Json::array();
   for (const SearchStart& start : certificate.starts)
     starts.push_back({{"name", start.name},
                       {"first", start.first},
@@ -66,7 +68,7 @@ Json certificate_to_json(const Certificate& certificate, const std::string& file
                       {"health_ratio", point.health_ratio},
                       {"auxiliary_ratio", point.auxiliary_ratio}});
   const auto vector = [&](const Eigen::VectorXd& values, const char* key) {
-    return vector_to_json(values, file, std::string("certificate.") + key);
+    return files::vector_to_json(values, file, std::string("certificate.") + key);
   };
   return {{"verdict", certificate.verdict},
           {"at_optimum", certificate.at_optimum},
@@ -87,8 +89,8 @@ Json certificate_to_json(const Certificate& certificate, const std::string& file
           {"slow_bias_detectability", vector(certificate.slow_bias_detectability, "slow_bias_detectability")}};
 }
 
-Certificate certificate_from_json(const Json& json, const std::string& file) {
-  JsonObject object(json, file, "certificate");
+Certificate certificate_from_json(const files::Json& json, const std::string& file) {
+  files::JsonObject object(json, file, "certificate");
   Certificate certificate;
   certificate.verdict = object.text("verdict");
   certificate.at_optimum = truth(object, "at_optimum");
@@ -101,7 +103,7 @@ Certificate certificate_from_json(const Json& json, const std::string& file) {
   certificate.least_curvature = object.number("least_curvature");
   certificate.largest_curvature = object.number("largest_curvature");
   certificate.flat_directions = count(object, "flat_directions");
-  const Json &starts = object.array("starts"), &points = object.array("points");
+  const files::Json &starts = object.array("starts"), &points = object.array("points");
   for (std::size_t i = 0; i < starts.size(); ++i)
     certificate.starts.push_back(start_from(starts[i], file, "certificate.starts[" + std::to_string(i) + "]"));
   for (std::size_t i = 0; i < points.size(); ++i)

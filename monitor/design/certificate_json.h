@@ -3,14 +3,14 @@
 
 #include <string>
 
+#include "deploy/runtime/files/json_object.h"
 #include "monitor/design/certificate.h"
-#include "monitor/design/json_object.h"
 
 namespace ehm::design {
 
 /// @throws FileError if a number is not finite.
-Json certificate_to_json(const Certificate& certificate, const std::string& file);
+files::Json certificate_to_json(const Certificate& certificate, const std::string& file);
 /// @throws FileError (file, key, value, allowed) for every defect.
-Certificate certificate_from_json(const Json& json, const std::string& file);
+Certificate certificate_from_json(const files::Json& json, const std::string& file);
 
 }  // namespace ehm::design

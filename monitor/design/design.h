@@ -1,10 +1,10 @@
 #pragma once
 // A finished tuner design: the model, how it was scaled, one filter per sensor set, and how good it is.
 //
-// All matrices of a SubsetDesign are in scaled units (monitor/estimation/scaling.h): states and sensors in percent of
+// All matrices of a SubsetDesign are in scaled units (engine_sim/linear_model/scaling.h): states and sensors in percent of
 // trim, health in percent, auxiliary outputs in their reporting unit, controls in channel units. make_filter turns them
 // into the filter that flies, in channel units. n states, m sensors, p health, r auxiliary, t tuners.
-// Source: Simon & Garg, NASA/TM-2010-216077, eqs. 5-8, 15-17; the error theory is THEORY section 4.
+// Source: Simon & Garg, NASA/TM-2010-216077, eqs. 5-8, 15-17; the error theory is theory.md, section 4.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "engine_sim/linear_model/linear_model.h"
+#include "engine_sim/linear_model/scaling.h"
 #include "monitor/design/certificate.h"
-#include "monitor/estimation/linear_model.h"
-#include "monitor/estimation/scaling.h"
 
 namespace ehm::design {
 
@@ -64,12 +64,12 @@ struct ErrorByChannel {
 };
 
 struct Design {
-  estimation::LinearModel model;  ///< as it was given, continuous or discrete
-  estimation::Scaling scaling;
+  linear_model::LinearModel model;  ///< as it was given, continuous or discrete
+  linear_model::Scaling scaling;
   DesignOptions options;
   SubsetDesign full;
   std::vector<std::optional<SubsetDesign>> missing;  ///< [i] without sensor i; empty where that is not observable
-  ErrorByChannel ssee;                               ///< of `full` on the linear engine: THEORY section 4
+  ErrorByChannel ssee;                               ///< of `full` on the linear engine: theory.md, section 4
   ErrorByChannel linearisation;                      ///< what the real engine's nonlinearity adds to that
   ErrorByChannel bayes_limit;                        ///< no estimator on steady data at this point can do better
   ErrorByChannel full_map, reduced_map;              ///< MAP on one noisy snapshot, on h and on the tuners

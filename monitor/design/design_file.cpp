@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "deploy/files/atomic_file.h"
+#include "deploy/runtime/files/atomic_file.h"
+#include "deploy/runtime/files/content_hash.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/json_text.h"
+#include "engine_sim/linear_model/model_json.h"
 #include "monitor/design/certificate_json.h"
-#include "monitor/design/content_hash.h"
-#include "monitor/design/file_error.h"
-#include "monitor/design/json_text.h"
-#include "monitor/design/model_json.h"
 #include "monitor/design/options_json.h"
 #include "monitor/design/subset_json.h"
 
@@ -17,51 +17,52 @@ namespace {
 constexpr const char* any_design_schema = "ehm-design/";
 constexpr const char* make_again = "Make the design again with tuner_design design";
 
-Json errors_to_json(const ErrorByChannel& errors, const std::string& file, const std::string& key) {
-  return {{"health", vector_to_json(errors.health, file, key + ".health")},
-          {"auxiliary", vector_to_json(errors.auxiliary, file, key + ".auxiliary")}};
+files::Json errors_to_json(const ErrorByChannel& errors, const std::string& file, const std::string& key) {
+  return {{"health", files::vector_to_json(errors.health, file, key + ".health")},
+          {"auxiliary", files::vector_to_json(errors.auxiliary, file, key + ".auxiliary")}};
 }
 
-ErrorByChannel errors_from_json(JsonObject& parent, const std::string& name, const estimation::LinearModel& model) {
-  JsonObject object(parent.at(name), parent.file(), parent.key(name));
+ErrorByChannel errors_from_json(files::JsonObject& parent, const std::string& name,
+                                const linear_model::LinearModel& model) {
+  files::JsonObject object(parent.at(name), parent.file(), parent.key(name));
   ErrorByChannel errors{object.vector("health", model.L.cols()), object.vector("auxiliary", model.F.rows())};
   object.refuse_unknown();
   return errors;
 }
 
-Json scaling_to_json(const estimation::Scaling& scaling, const std::string& file) {
-  return {{"state", vector_to_json(scaling.state, file, "scaling.state")},
-          {"sensor", vector_to_json(scaling.sensor, file, "scaling.sensor")},
-          {"health", vector_to_json(scaling.health, file, "scaling.health")},
-          {"auxiliary", vector_to_json(scaling.auxiliary, file, "scaling.auxiliary")},
+files::Json scaling_to_json(const linear_model::Scaling& scaling, const std::string& file) {
+  return {{"state", files::vector_to_json(scaling.state, file, "scaling.state")},
+          {"sensor", files::vector_to_json(scaling.sensor, file, "scaling.sensor")},
+          {"health", files::vector_to_json(scaling.health, file, "scaling.health")},
+          {"auxiliary", files::vector_to_json(scaling.auxiliary, file, "scaling.auxiliary")},
           {"auxiliary_unit", scaling.auxiliary_unit}};
 }
 
-estimation::Scaling scaling_from_json(JsonObject& parent, const estimation::LinearModel& model) {
-  JsonObject object(parent.at("scaling"), parent.file(), parent.key("scaling"));
+linear_model::Scaling scaling_from_json(files::JsonObject& parent, const linear_model::LinearModel& model) {
+  files::JsonObject object(parent.at("scaling"), parent.file(), parent.key("scaling"));
   // The scaling follows from the model; the file states it for readers, and must agree.
-  const estimation::Scaling scaling = estimation::scaling_of(model);
-  const Json stated = {{"state", object.at("state")},
-                       {"sensor", object.at("sensor")},
-                       {"health", object.at("health")},
-                       {"auxiliary", object.at("auxiliary")},
-                       {"auxiliary_unit", object.at("auxiliary_unit")}};
+  const linear_model::Scaling scaling = linear_model::scaling_of(model);
+  const files::Json stated = {{"state", object.at("state")},
+                              {"sensor", object.at("sensor")},
+                              {"health", object.at("health")},
+                              {"auxiliary", object.at("auxiliary")},
+                              {"auxiliary_unit", object.at("auxiliary_unit")}};
   object.refuse_unknown();
   if (stated != scaling_to_json(scaling, parent.file())) {
-    throw_defect(parent.file(), "scaling", "not the scaling of this model", "percent of trim and reporting units",
-                 make_again);
+    files::throw_defect(parent.file(), "scaling", "not the scaling of this model",
+                        "percent of trim and reporting units", make_again);
   }
   return scaling;
 }
 
-Json content_of(const Design& design, const std::string& file) {
-  Json missing = Json::array();
+files::Json content_of(const Design& design, const std::string& file) {
+  files::Json missing = files::Json::array();
   for (std::size_t i = 0; i < design.missing.size(); ++i) {
     const std::string path = "designs.missing[" + std::to_string(i) + "]";
-    missing.push_back(design.missing[i] ? subset_to_json(*design.missing[i], file, path) : Json(nullptr));
+    missing.push_back(design.missing[i] ? subset_to_json(*design.missing[i], file, path) : files::Json(nullptr));
   }
   return {{"schema", design_schema},
-          {"model", model_to_json(design.model, file)},
+          {"model", linear_model::model_to_json(design.model, file)},
           {"scaling", scaling_to_json(design.scaling, file)},
           {"made_by", options_to_json(design.options)},
           {"certificate", certificate_to_json(design.certificate, file)},
@@ -75,11 +76,11 @@ Json content_of(const Design& design, const std::string& file) {
 }
 
 /// Removes the hash from `root` and compares it with the hash of the rest.
-std::string take_verified_hash(Json& root, const std::string& file) {
-  JsonObject object(root, file, "");
+std::string take_verified_hash(files::Json& root, const std::string& file) {
+  files::JsonObject object(root, file, "");
   const std::string schema = object.text("schema");
   if (schema != design_schema) {
-    throw_defect(
+    files::throw_defect(
         file, "schema", "\"" + schema + "\"", std::string("\"") + design_schema + "\"",
         schema.starts_with(any_design_schema)
             ? "Designs of another version have other standard deviations (before version 3 without the engine's "
@@ -89,22 +90,23 @@ std::string take_verified_hash(Json& root, const std::string& file) {
   }
   const std::string stated = object.text("hash");
   root.erase("hash");
-  const std::string actual = sha256_hex(root.dump());
+  const std::string actual = files::sha256_hex(root.dump());
   if (stated != actual) {
-    throw_defect(file, "hash", "\"" + stated + "\"", "\"" + actual + "\", the SHA-256 of the content",
-                 "The file was damaged or changed by hand: make the design again with tuner_design design");
+    files::throw_defect(file, "hash", "\"" + stated + "\"", "\"" + actual + "\", the SHA-256 of the content",
+                        "The file was damaged or changed by hand: make the design again with tuner_design design");
   }
   return actual;
 }
 
-void read_designs(JsonObject& root, Design& design) {
-  JsonObject object(root.at("designs"), root.file(), "designs");
+void read_designs(files::JsonObject& root, Design& design) {
+  files::JsonObject object(root.at("designs"), root.file(), "designs");
   design.full = subset_from_json(object.at("full"), design.model, root.file(), "designs.full");
-  const Json& missing = object.array("missing");
+  const files::Json& missing = object.array("missing");
   object.refuse_unknown();
   if (missing.size() != design.model.sensors.size()) {
-    throw_defect(root.file(), "designs.missing", std::to_string(missing.size()) + " entries long",
-                 "one entry for each of the " + std::to_string(design.model.sensors.size()) + " sensors", make_again);
+    files::throw_defect(root.file(), "designs.missing", std::to_string(missing.size()) + " entries long",
+                        "one entry for each of the " + std::to_string(design.model.sensors.size()) + " sensors",
+                        make_again);
   }
   for (std::size_t i = 0; i < missing.size(); ++i) {
     design.missing.emplace_back();
@@ -117,17 +119,17 @@ void read_designs(JsonObject& root, Design& design) {
 }  // namespace
 
 Design read_design(const std::string& path) {
-  Json json = parse_json_file(path);
+  files::Json json = files::parse_json_file(path);
   Design design;
   design.hash = take_verified_hash(json, path);
-  JsonObject root(json, path, "");
+  files::JsonObject root(json, path, "");
   root.at("schema");
-  design.model = model_from_json(root.at("model"), path, "model");
+  design.model = linear_model::model_from_json(root.at("model"), path, "model");
   design.scaling = scaling_from_json(root, design.model);
   design.options = options_from_json(root.at("made_by"), design.model, path);
   design.certificate = certificate_from_json(root.at("certificate"), path);
   read_designs(root, design);
-  JsonObject errors(root.at("errors"), path, "errors");
+  files::JsonObject errors(root.at("errors"), path, "errors");
   design.ssee = errors_from_json(errors, "ssee", design.model);
   design.linearisation = errors_from_json(errors, "linearisation", design.model);
   design.bayes_limit = errors_from_json(errors, "bayes_limit", design.model);
@@ -139,10 +141,10 @@ Design read_design(const std::string& path) {
 }
 
 std::string write_design(const Design& design, const std::string& path) {
-  Json json = content_of(design, path);
-  const std::string hash = sha256_hex(json.dump());
+  files::Json json = content_of(design, path);
+  const std::string hash = files::sha256_hex(json.dump());
   json["hash"] = hash;
-  files::write_file_atomically(path, readable_text(json));
+  files::write_file_atomically(path, files::readable_text(json));
   return hash;
 }
 

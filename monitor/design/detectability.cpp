@@ -8,9 +8,9 @@
 
 namespace ehm::design {
 
-Eigen::VectorXd slow_bias_detectability(const estimation::LinearModel& model, const estimation::Scaling& scaling,
+Eigen::VectorXd slow_bias_detectability(const linear_model::LinearModel& model, const linear_model::Scaling& scaling,
                                         const SubsetDesign& full) {
-  const estimation::LinearModel engine = estimation::scaled(model, scaling);
+  const linear_model::LinearModel engine = linear_model::scaled(model, scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(engine).H;
   const Eigen::MatrixXd Ph = engine.health_sigma.cwiseAbs2().asDiagonal();
   const double samples = std::max(1.0, full.slowest_time_constant_s / model.sample_time_s);

@@ -23,7 +23,7 @@ inline constexpr double detectability_bias_sigmas = 5.0;
 inline constexpr double least_detectability = 5.0;
 
 /// By sensor; `full` is the design of all sensors, made of `model`.
-Eigen::VectorXd slow_bias_detectability(const estimation::LinearModel& model, const estimation::Scaling& scaling,
+Eigen::VectorXd slow_bias_detectability(const linear_model::LinearModel& model, const linear_model::Scaling& scaling,
                                         const SubsetDesign& full);
 
 }  // namespace ehm::design

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "monitor/estimation/stationary_covariance.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::design {
@@ -10,7 +10,7 @@ namespace ehm::design {
 namespace {
 
 /// Gh = [Ph^1/2, 0], [Gy; Gz] = [[H; Hz] Ph^1/2, Lambda^1/2], and K Gy.
-void add_unknowns(estimation::ErrorModel& error, const estimation::LinearModel& model,
+void add_unknowns(estimation::ErrorModel& error, const linear_model::LinearModel& model,
                   const estimation::SteadyGain& steady, const Eigen::MatrixXd& K) {
   const Eigen::Index p = model.L.cols(), m = model.C.rows(), r = model.F.rows();
   const Eigen::Index extra = model.linearisation_error.rows();
@@ -22,7 +22,7 @@ void add_unknowns(estimation::ErrorModel& error, const estimation::LinearModel& 
   error.sensor_truth.leftCols(p) = steady.H * health;
   error.auxiliary_truth.leftCols(p) = steady.Hz * health;
   if (extra > 0) {
-    const Eigen::MatrixXd nonlinear = estimation::covariance_root(model.linearisation_error);
+    const Eigen::MatrixXd nonlinear = linear_model::covariance_root(model.linearisation_error);
     error.sensor_truth.rightCols(extra) = nonlinear.topRows(m);
     error.auxiliary_truth.rightCols(extra) = nonlinear.bottomRows(r);
   }
@@ -30,7 +30,7 @@ void add_unknowns(estimation::ErrorModel& error, const estimation::LinearModel& 
 }
 
 /// What the sensors' noise and the engine's own motion add at each sample, and what the latter has brought before.
-void add_noise(estimation::ErrorModel& error, const estimation::LinearModel& model, const SubsetDesign& subset) {
+void add_noise(estimation::ErrorModel& error, const linear_model::LinearModel& model, const SubsetDesign& subset) {
   const Eigen::Index n = model.C.cols(), size = subset.A.rows();
   const Eigen::MatrixXd& Q = model.process_noise;
   const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
@@ -38,14 +38,14 @@ void add_noise(estimation::ErrorModel& error, const estimation::LinearModel& mod
       (Eigen::MatrixXd::Identity(size, size) - subset.K * subset.C).leftCols(n);  // (I - K C) [I; 0]
   error.noise = subset.K * R * subset.K.transpose() + entry * Q * entry.transpose();
   error.start.setZero(size, size);
-  error.start.topLeftCorner(n, n) = estimation::stationary_covariance(subset.A.topLeftCorner(n, n), Q);
+  error.start.topLeftCorner(n, n) = linear_model::stationary_covariance(subset.A.topLeftCorner(n, n), Q);
   error.innovation_noise = (model.C * Q * model.C.transpose()).diagonal() + R.diagonal();
 }
 
 }  // namespace
 
 estimation::ErrorModel make_error_model(const Design& design, const SubsetDesign& subset) {
-  const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
+  const linear_model::LinearModel model = linear_model::scaled(design.model, design.scaling);
   const estimation::SteadyGain steady = estimation::steady_gain(model);
   const Eigen::Index n = model.A.rows(), t = subset.V.rows(), p = model.L.cols(), r = model.F.rows();
 

@@ -7,9 +7,9 @@
 namespace ehm::design {
 namespace {
 
-using estimation::Scaling;
 using estimation::SteadyGain;
 using estimation::SubsetGain;
+using linear_model::Scaling;
 
 /// Re-reference of [x; q] from design a to design b.
 Eigen::MatrixXd transfer(const SubsetDesign& a, const SubsetDesign& b, const Eigen::VectorXd& noise_sigma,
@@ -30,8 +30,8 @@ Eigen::VectorXd channel_sigma(const Eigen::MatrixXd& covariance, const Eigen::Ve
   return covariance.diagonal().cwiseSqrt().cwiseProduct(scale);
 }
 
-SubsetGain channel_unit_gain(const SubsetDesign& design, const SubsetDesign& full, const Scaling& scaling,
-                             const estimation::LinearModel& model, const SteadyGain& steady) {
+SubsetGain channel_unit_gain(const SubsetDesign& design, const SubsetDesign& full, const linear_model::Scaling& scaling,
+                             const linear_model::LinearModel& model, const SteadyGain& steady) {
   const Eigen::Index n = model.A.rows(), t = design.V.rows();
   const Eigen::Index p = model.L.cols(), r = model.F.rows();
   const auto health = scaling.health.asDiagonal();
@@ -62,7 +62,7 @@ SubsetGain channel_unit_gain(const SubsetDesign& design, const SubsetDesign& ful
 }  // namespace
 
 estimation::TunerFilter make_filter(const Design& design) {
-  const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
+  const linear_model::LinearModel model = linear_model::scaled(design.model, design.scaling);
   const SteadyGain steady = estimation::steady_gain(model);
   estimation::TunerFilterModel flying;
   flying.D = design.model.D;

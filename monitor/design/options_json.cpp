@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "monitor/design/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 
 namespace ehm::design {
 namespace {
@@ -12,26 +12,27 @@ constexpr const char* make_again = "Make the design again with tuner_design desi
 
 constexpr std::array<Tuning, 3> tunings{Tuning::closed_form, Tuning::kalman, Tuning::map};
 
-Tuning tuning_from(JsonObject& object) {
+Tuning tuning_from(files::JsonObject& object) {
   const std::string name = object.text("tuning");
   for (const Tuning tuning : tunings) {
     if (name == name_of(tuning)) return tuning;
   }
-  throw_defect(object.file(), object.key("tuning"), "\"" + name + "\"", "closed-form, kalman, map", make_again);
+  files::throw_defect(object.file(), object.key("tuning"), "\"" + name + "\"", "closed-form, kalman, map", make_again);
 }
 
-std::uint64_t unsigned_number(JsonObject& object, const std::string& key, std::uint64_t most) {
-  const Json& value = object.at(key);
+std::uint64_t unsigned_number(files::JsonObject& object, const std::string& key, std::uint64_t most) {
+  const files::Json& value = object.at(key);
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most)
-    throw_defect(object.file(), object.key(key), shown(value), "an integer from 0 to " + std::to_string(most),
-                 make_again);
+    files::throw_defect(object.file(), object.key(key), files::shown(value),
+                        "an integer from 0 to " + std::to_string(most), make_again);
   return value.get<std::uint64_t>();
 }
 
-double weight(JsonObject& object, const std::string& key) {
+double weight(files::JsonObject& object, const std::string& key) {
   const double value = object.number(key);
   if (value < 0.0)
-    throw_defect(object.file(), object.key(key), shown(value), "a number that is not negative", make_again);
+    files::throw_defect(object.file(), object.key(key), files::shown(value), "a number that is not negative",
+                        make_again);
   return value;
 }
 
@@ -49,7 +50,7 @@ const char* name_of(Tuning tuning) {
   return "?";
 }
 
-Json options_to_json(const DesignOptions& options) {
+files::Json options_to_json(const DesignOptions& options) {
   return {{"program", options.created_by},
           {"version", options.version},
           {"tuning", name_of(options.tuning)},
@@ -61,8 +62,9 @@ Json options_to_json(const DesignOptions& options) {
           {"seed", options.seed}};
 }
 
-DesignOptions options_from_json(const Json& json, const estimation::LinearModel& model, const std::string& file) {
-  JsonObject object(json, file, "made_by");
+DesignOptions options_from_json(const files::Json& json, const linear_model::LinearModel& model,
+                                const std::string& file) {
+  files::JsonObject object(json, file, "made_by");
   DesignOptions options;
   options.created_by = object.text("program");
   options.version = object.text("version");

@@ -3,16 +3,17 @@
 
 #include <string>
 
+#include "deploy/runtime/files/json_object.h"
 #include "monitor/design/design.h"
-#include "monitor/design/json_object.h"
 
 namespace ehm::design {
 
 /// "closed-form", "kalman" or "map": as in files and on the command line.
 const char* name_of(Tuning tuning);
 
-Json options_to_json(const DesignOptions& options);
+files::Json options_to_json(const DesignOptions& options);
 /// @throws FileError (file, key, value, allowed) for every defect.
-DesignOptions options_from_json(const Json& json, const estimation::LinearModel& model, const std::string& file);
+DesignOptions options_from_json(const files::Json& json, const linear_model::LinearModel& model,
+                                const std::string& file);
 
 }  // namespace ehm::design

@@ -3,21 +3,21 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "monitor/design/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 
 namespace ehm::design {
 namespace {
 
-std::vector<int> read_sensors(JsonObject& object, std::size_t count) {
+std::vector<int> read_sensors(files::JsonObject& object, std::size_t count) {
   std::vector<int> sensors;
-  for (const Json& value : object.array("sensors")) {
+  for (const files::Json& value : object.array("sensors")) {
     const bool ascends = value.is_number_integer() && value.get<long long>() >= 0 &&
                          value.get<unsigned long long>() < count &&
                          (sensors.empty() || value.get<int>() > sensors.back());
     if (!ascends) {
-      throw_defect(object.file(), object.key("sensors"), shown(object.at("sensors")),
-                   "ascending indices below " + std::to_string(count),
-                   "Make the design again with tuner_design design");
+      files::throw_defect(object.file(), object.key("sensors"), files::shown(object.at("sensors")),
+                          "ascending indices below " + std::to_string(count),
+                          "Make the design again with tuner_design design");
     }
     sensors.push_back(value.get<int>());
   }
@@ -26,16 +26,17 @@ std::vector<int> read_sensors(JsonObject& object, std::size_t count) {
 
 void check_variances(const Eigen::MatrixXd& covariance, const std::string& key, const std::string& file) {
   if (covariance.size() == 0 || covariance.diagonal().minCoeff() >= 0.0) return;
-  throw_defect(file, key, "a matrix with the variance " + shown(covariance.diagonal().minCoeff()),
-               "variances of 0 or more", "Make the design again with tuner_design design");
+  files::throw_defect(file, key, "a matrix with the variance " + files::shown(covariance.diagonal().minCoeff()),
+                      "variances of 0 or more", "Make the design again with tuner_design design");
 }
 
 /// What the detectors divide by: the noise of the tuners' estimates, V Sh V^T.
 void check_tuner_noise(const SubsetDesign& design, const std::string& key, const std::string& file) {
   const Eigen::LLT<Eigen::MatrixXd> factor(design.V * design.health_noise_covariance * design.V.transpose());
   if (factor.info() == Eigen::Success) return;
-  throw_defect(file, key, "not positive definite over the tuners", "the covariance of noise that reaches every tuner",
-               "Make the design again with tuner_design design");
+  files::throw_defect(file, key, "not positive definite over the tuners",
+                      "the covariance of noise that reaches every tuner",
+                      "Make the design again with tuner_design design");
 }
 
 void check_closed_loop(const SubsetDesign& design, const std::string& key, const std::string& file) {
@@ -43,23 +44,24 @@ void check_closed_loop(const SubsetDesign& design, const std::string& key, const
   const Eigen::MatrixXd closed_loop = design.A - design.K * (design.C * design.A);
   const double radius = Eigen::EigenSolver<Eigen::MatrixXd>(closed_loop, false).eigenvalues().cwiseAbs().maxCoeff();
   if (radius < 1.0) return;
-  throw_defect(file, key, "a gain whose closed loop has the spectral radius " + shown(radius), "below 1",
-               "Make the design again with tuner_design design");
+  files::throw_defect(file, key, "a gain whose closed loop has the spectral radius " + files::shown(radius), "below 1",
+                      "Make the design again with tuner_design design");
 }
 
 }  // namespace
 
-SubsetDesign subset_from_json(const Json& json, const estimation::LinearModel& model, const std::string& file,
+SubsetDesign subset_from_json(const files::Json& json, const linear_model::LinearModel& model, const std::string& file,
                               const std::string& path) {
   const Eigen::Index n = model.A.rows(), nu = model.B.cols(), p = model.L.cols(), m = model.C.rows(),
                      r = model.F.rows();
-  JsonObject object(json, file, path);
+  files::JsonObject object(json, file, path);
   SubsetDesign design;
   design.sensors = read_sensors(object, model.sensors.size());
   const auto t = static_cast<Eigen::Index>(object.array("V").size());
   if (t < 1 || t > std::min(m, p)) {
-    throw_defect(file, object.key("V"), std::to_string(t) + " rows high",
-                 "1 to " + std::to_string(std::min(m, p)) + " rows", "Make the design again with tuner_design design");
+    files::throw_defect(file, object.key("V"), std::to_string(t) + " rows high",
+                        "1 to " + std::to_string(std::min(m, p)) + " rows",
+                        "Make the design again with tuner_design design");
   }
   design.V = object.matrix("V", t, p);
   design.W = object.matrix("W", p, t);
@@ -90,9 +92,9 @@ SubsetDesign subset_from_json(const Json& json, const estimation::LinearModel& m
   return design;
 }
 
-Json subset_to_json(const SubsetDesign& design, const std::string& file, const std::string& path) {
-  Json json{{"sensors", design.sensors}, {"slowest_time_constant_s", design.slowest_time_constant_s}};
-  json["innovation_variance"] = vector_to_json(design.innovation_variance, file, path + ".innovation_variance");
+files::Json subset_to_json(const SubsetDesign& design, const std::string& file, const std::string& path) {
+  files::Json json{{"sensors", design.sensors}, {"slowest_time_constant_s", design.slowest_time_constant_s}};
+  json["innovation_variance"] = files::vector_to_json(design.innovation_variance, file, path + ".innovation_variance");
   const std::pair<const char*, const Eigen::MatrixXd*> matrices[] = {
       {"V", &design.V},
       {"W", &design.W},
@@ -109,7 +111,7 @@ Json subset_to_json(const SubsetDesign& design, const std::string& file, const s
       {"auxiliary_filter_covariance", &design.auxiliary_filter_covariance},
       {"health_noise_covariance", &design.health_noise_covariance},
       {"auxiliary_noise_covariance", &design.auxiliary_noise_covariance}};
-  for (const auto& [name, matrix] : matrices) json[name] = to_json(*matrix, file, path + "." + name);
+  for (const auto& [name, matrix] : matrices) json[name] = files::to_json(*matrix, file, path + "." + name);
   return json;
 }
 

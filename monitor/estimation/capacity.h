@@ -1,22 +1,24 @@
 #pragma once
-// Capacities of one engine's estimator, and the vector and matrix types sized at run time within them. Storage is
-// inside the object, so that nothing on the cycle path allocates. The sensor, health, auxiliary and actuator capacities
-// are those of the wire (idl/engine_health.idl).
+// Vector and matrix types sized at run time within an engine's capacities. Storage is inside the object, so that
+// nothing on the cycle path allocates.
 //
 // n states, m sensors, p health parameters, r auxiliary outputs, nu actuators, t tuners; augmented state [x; q], n + t.
 
 #include <Eigen/Core>
 #include <bitset>
 
+#include "engine_sim/linear_model/capacity.h"
+
 namespace ehm::estimation {
 
-inline constexpr int max_sensors = 16;
-inline constexpr int max_health = 16;
-inline constexpr int max_auxiliary = 8;
-inline constexpr int max_actuators = 8;
-inline constexpr int max_states = 12;
+using linear_model::max_actuators;
+using linear_model::max_auxiliary;
+using linear_model::max_health;
+using linear_model::max_name_length;
+using linear_model::max_sensors;
+using linear_model::max_states;
+using linear_model::max_unit_length;
 inline constexpr int max_tuners = 16;
-inline constexpr std::size_t max_name_length = 63, max_unit_length = 31;  ///< characters of a channel's name and unit
 inline constexpr int max_augmented = max_states + max_tuners;
 static_assert(max_augmented == 28);
 

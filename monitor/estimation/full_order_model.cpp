@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "monitor/estimation/stationary_covariance.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::estimation {
@@ -17,8 +17,9 @@ void require_capacity(const char* list, std::size_t size, int capacity) {
 
 }  // namespace
 
-FullOrderModel full_order_model(const LinearModel& model) {
-  if (!model.discrete) throw std::invalid_argument("full-order filter: the model is continuous; discretise it first");
+FullOrderModel full_order_model(const linear_model::LinearModel& model) {
+  if (!model.discrete)
+    throw std::invalid_argument("full-order filter: the model is continuous; linear_model::discretise it first");
   require_capacity("states", model.states.size(), max_states);
   require_capacity("controls", model.controls.size(), max_actuators);
   require_capacity("health parameters", model.health.size(), max_health);
@@ -41,7 +42,7 @@ FullOrderModel full_order_model(const LinearModel& model) {
   settled << steady_gain(model).X, Eigen::MatrixXd::Identity(p, p);
   settled = (settled * model.health_sigma.asDiagonal()).eval();
   full.prior = settled * settled.transpose();
-  full.prior.topLeftCorner(n, n) += stationary_covariance(model.A, model.process_noise);
+  full.prior.topLeftCorner(n, n) += linear_model::stationary_covariance(model.A, model.process_noise);
   return full;
 }
 

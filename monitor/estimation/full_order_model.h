@@ -3,11 +3,11 @@
 //
 //   x[k+1] = A x + B u + L h + w      y = [C M] [x; h] + D u + v      z = [F N] [x; h] + G u
 //
-// (linear_model.h; THEORY section 5, "Full-order alternative"). Discrete time, deviations from trim. The units are
+// (linear_model.h; theory.md, section 8  (drop the quoted subtitle; section 8 is "Filters on all n + p states"), "Full-order alternative"). Discrete time, deviations from trim. The units are
 // those of the LinearModel it is made of; covariances are well conditioned in scaled units (scaling.h). Fixed capacity.
 
+#include "engine_sim/linear_model/linear_model.h"
 #include "monitor/estimation/capacity.h"
-#include "monitor/estimation/linear_model.h"
 
 namespace ehm::estimation {
 
@@ -29,9 +29,9 @@ struct FullOrderModel {
   FullOrderCovariance prior;
 };
 
-/// `model` has passed design::check_model.
+/// `model` has passed linear_model::check_model.
 /// @throws std::invalid_argument if it is continuous or exceeds the capacity (says which list).
 /// @throws std::runtime_error if I - A is singular or A not stable.
-FullOrderModel full_order_model(const LinearModel& model);
+FullOrderModel full_order_model(const linear_model::LinearModel& model);
 
 }  // namespace ehm::estimation

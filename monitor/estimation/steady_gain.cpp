@@ -6,7 +6,7 @@
 
 namespace ehm::estimation {
 
-SteadyGain steady_gain(const LinearModel& model) {
+SteadyGain steady_gain(const linear_model::LinearModel& model) {
   const Eigen::Index n = model.A.rows(), p = model.L.cols();
   if (model.M.cols() != p || model.N.cols() != p || model.C.cols() != n || model.F.cols() != n)
     throw std::invalid_argument(

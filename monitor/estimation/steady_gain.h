@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "monitor/estimation/linear_model.h"
+#include "engine_sim/linear_model/linear_model.h"
 
 namespace ehm::estimation {
 
@@ -15,6 +15,6 @@ struct SteadyGain {
 };
 
 /// @throws std::runtime_error if I - A (or A) is singular: the residual of the linear solve is named.
-SteadyGain steady_gain(const LinearModel& model);
+SteadyGain steady_gain(const linear_model::LinearModel& model);
 
 }  // namespace ehm::estimation

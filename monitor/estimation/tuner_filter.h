@@ -108,7 +108,7 @@ class TunerFilter {
     return updated_.segment(model().states, gain().A.rows() - model().states);
   }
 
-  /// Total error over the fleet (bias and noise, THEORY section 4): the published standard deviation.
+  /// Total error over the fleet (bias and noise, theory.md, section 4): the published standard deviation.
   [[nodiscard]] const HealthVector& health_sigma_total() const noexcept { return gain().health_sigma_total; }
   [[nodiscard]] const AuxiliaryVector& auxiliary_sigma_total() const noexcept { return gain().auxiliary_sigma_total; }
   /// The filter's own, blind to the directions that the tuners do not span.

@@ -11,9 +11,9 @@ namespace ehm::monitor {
 
 namespace {
 
+using idl::StatusLevel;
 using nlohmann::json;
 using service::HttpAnswer;
-using wire::StatusLevel;
 
 HttpAnswer answer(const json& body, bool good) {
   return {good ? 200 : 503, body.dump() + "\n", "application/json"};
@@ -30,7 +30,7 @@ json engines_by_level(const FleetView& fleet) {
   json levels = json::object();
   for (const auto level :
        {StatusLevel::ok, StatusLevel::warn, StatusLevel::error, StatusLevel::stale, StatusLevel::stopped})
-    levels[wire::level_name(static_cast<std::uint32_t>(level))] = engines_at(fleet, level);
+    levels[idl::level_name(static_cast<std::uint32_t>(level))] = engines_at(fleet, level);
   return levels;
 }
 

@@ -8,7 +8,7 @@
 // Both carry the age of what they tell. An engine that is switched off is no reason to restart the monitor: /health
 // lists it and answers 200.
 
-#include "deploy/service/http_server.h"
+#include "deploy/runtime/service/http_server.h"
 #include "monitor/export/loop_watch.h"
 #include "monitor/export/status_board.h"
 

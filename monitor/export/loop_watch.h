@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "deploy/service/watchdog.h"
+#include "deploy/runtime/service/watchdog.h"
 
 namespace ehm::monitor {
 

@@ -185,7 +185,7 @@ MetricFamily flags(const Fleet& fleet) {
   return fleet.family(
       "ehm_estimate_flag", "1 while the flag is set on the estimates.", MetricType::Gauge,
       [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
-        for (const auto& [bit, name] : wire::estimate_flag_names)
+        for (const auto& [bit, name] : idl::estimate_flag_names)
           f.metric.push_back(sample(fleet.labels(id, "flag", name), (engine.status.flags() & bit) != 0 ? 1 : 0));
       });
 }
@@ -194,9 +194,9 @@ MetricFamily events(const Fleet& fleet) {
   return fleet.family(
       "ehm_events_total", "Conditions that began, by kind.", MetricType::Counter,
       [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
-        for (std::size_t kind = 1; kind < wire::event_kind_names.size(); ++kind)
+        for (std::size_t kind = 1; kind < idl::event_kind_names.size(); ++kind)
           f.metric.push_back(
-              sample(fleet.labels(id, "kind", wire::event_kind_names[kind]), number(engine.raised[kind])));
+              sample(fleet.labels(id, "kind", idl::event_kind_names[kind]), number(engine.raised[kind])));
       },
       true);
 }
@@ -206,7 +206,7 @@ MetricFamily conditions(const Fleet& fleet) {
       "ehm_condition_active", "1 while the condition is raised; absent before it was first raised.", MetricType::Gauge,
       [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
         for (const auto& [key, state] : engine.conditions) {
-          const char* kind = key.first < wire::event_kind_names.size() ? wire::event_kind_names[key.first] : "?";
+          const char* kind = key.first < idl::event_kind_names.size() ? idl::event_kind_names[key.first] : "?";
           Labels all = fleet.labels(id, "kind", kind);
           all.push_back({"channel", state.first});
           f.metric.push_back(sample(std::move(all), state.second ? 1 : 0));

@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "deploy/service/listen_address.h"
+#include "deploy/runtime/service/listen_address.h"
 #include "monitor/export/metrics.h"
 #include "monitor/realtime/clock.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// GET /metrics, /health and /ready over HTTP, on a thread of its own (deploy/service/http_server.h). An address that is
+// GET /metrics, /health and /ready over HTTP, on a thread of its own (deploy/runtime/service/http_server.h). An address that is
 // taken is said with its remedy, and the monitor flies without: what it estimates matters more than who counts it.
 
 #include <atomic>

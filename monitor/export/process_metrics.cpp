@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "deploy/service/log.h"
+#include "deploy/runtime/service/log.h"
 
 namespace ehm::monitor {
 

@@ -10,8 +10,8 @@ namespace {
 
 /// Events that happen and are over: nothing lasts that could end.
 bool is_moment(std::uint32_t kind) {
-  return kind == static_cast<std::uint32_t>(wire::EventKind::filter_restart) ||
-         kind == static_cast<std::uint32_t>(wire::EventKind::checkpoint);
+  return kind == static_cast<std::uint32_t>(idl::EventKind::filter_restart) ||
+         kind == static_cast<std::uint32_t>(idl::EventKind::checkpoint);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void StatusBoard::hang_up(const EngineDescription& description) {
   engine.engine_type = description.engine_type().c_str();
 }
 
-void StatusBoard::hang_up(std::uint32_t engine_id, const estimation::LinearModel& model,
+void StatusBoard::hang_up(std::uint32_t engine_id, const linear_model::LinearModel& model,
                           const EstimateSnapshot& estimates) {
   std::vector<EstimateView> views;
   const auto add = [&](const char* kind, const auto& channels, const auto& values, const auto& sigmas) {
@@ -77,7 +77,7 @@ std::string StatusBoard::summary() const {
   std::string levels;
   for (const auto& [level, n] : count) {
     engines += n;
-    levels += fmt::format("{} {} {}", levels.empty() ? ":" : ",", n, wire::level_name(level));
+    levels += fmt::format("{} {} {}", levels.empty() ? ":" : ",", n, idl::level_name(level));
   }
   return fmt::format("{} engine{}{}", engines, engines == 1 ? "" : "s", levels);
 }

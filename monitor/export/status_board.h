@@ -12,7 +12,7 @@
 
 #include "engine_health.h"
 #include "idl/wire_names.h"
-#include "monitor/estimate_snapshot.h"
+#include "monitor/service/estimate_snapshot.h"
 
 namespace ehm::monitor {
 
@@ -28,8 +28,8 @@ struct EngineView {
   MonitorStatus status;
   std::int64_t status_ns = 0;  ///< monotonic, when that status was hung up; 0: none yet
   std::string design_hash, engine_type;
-  std::vector<EstimateView> estimates;                                ///< empty while there are none
-  std::array<std::uint64_t, wire::event_kind_names.size()> raised{};  ///< events by kind
+  std::vector<EstimateView> estimates;                               ///< empty while there are none
+  std::array<std::uint64_t, idl::event_kind_names.size()> raised{};  ///< events by kind
   /// By kind and channel, with the channel's name: is the condition raised now?
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::string, bool>> conditions;
 };
@@ -42,7 +42,7 @@ class StatusBoard {
   bool hang_up(const MonitorStatus& status);
   void hang_up(const HealthEvent& event);
   void hang_up(const EngineDescription& description);
-  void hang_up(std::uint32_t engine_id, const estimation::LinearModel& model, const EstimateSnapshot& estimates);
+  void hang_up(std::uint32_t engine_id, const linear_model::LinearModel& model, const EstimateSnapshot& estimates);
 
   /// The engine is not served any more.
   void take_down(std::uint32_t engine_id);

@@ -22,10 +22,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "monitor/data/options.h"
 #include "monitor/judge/fault_signatures.h"
 #include "monitor/judge/noise_watch.h"
 #include "monitor/judge/onset_ring.h"
-#include "monitor/options.h"
 
 namespace ehm::monitor {
 

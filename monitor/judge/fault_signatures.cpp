@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/estimation/stationary_covariance.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::monitor {
@@ -28,7 +28,7 @@ struct Plant {
 };
 
 Plant plant_of(const design::Design& design) {
-  const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
+  const linear_model::LinearModel model = linear_model::scaled(design.model, design.scaling);
   const Eigen::Index n = model.A.rows();
   Plant plant{design.full.A.topLeftCorner(n, n),
               {},
@@ -45,7 +45,7 @@ Plant plant_of(const design::Design& design) {
   if (model.linearisation_error.rows() > 0) {
     const Eigen::Index m = model.C.rows(), p = plant.fleet.cols();
     plant.fleet.conservativeResize(m, p + m);
-    plant.fleet.rightCols(m) = estimation::covariance_root(model.linearisation_error.topLeftCorner(m, m));
+    plant.fleet.rightCols(m) = linear_model::covariance_root(model.linearisation_error.topLeftCorner(m, m));
   }
   return plant;
 }
@@ -70,7 +70,7 @@ void add_noise(FaultSignatures& s, const design::SubsetDesign& set, const Plant&
   const Eigen::MatrixXd entry =
       (Eigen::MatrixXd::Identity(size, size) - set.K * set.C).leftCols(Q.rows());  // (I - K Cxq) [I; 0]
   const Eigen::MatrixXd state =
-      estimation::stationary_covariance(closed_loop, set.K * R * set.K.transpose() + entry * Q * entry.transpose());
+      linear_model::stationary_covariance(closed_loop, set.K * R * set.K.transpose() + entry * Q * entry.transpose());
   const Eigen::MatrixXd prediction = set.C * set.A;
   const Eigen::MatrixXd S = prediction * state * prediction.transpose() + plant.C * Q * plant.C.transpose() + R;
   s.inverse_S.setZero(s.sensors, s.sensors);

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "monitor/estimation/scaling.h"
-#include "monitor/estimation/stationary_covariance.h"
+#include "engine_sim/linear_model/scaling.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 #include "monitor/judge/quantiles.h"
 
@@ -24,7 +24,7 @@ constexpr double clear_share = 0.8;
 
 FleetTable fleet_table(const design::Design& design, const design::SubsetDesign& subset,
                        const estimation::ErrorModel& error) {
-  const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
+  const linear_model::LinearModel model = linear_model::scaled(design.model, design.scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(model).H;
   const Eigen::MatrixXd closed_loop = error.closed_loop;
   const Eigen::Index size = closed_loop.rows(), t = subset.V.rows();
@@ -33,7 +33,7 @@ FleetTable fleet_table(const design::Design& design, const design::SubsetDesign&
                                    .solve(Eigen::MatrixXd(error.drive))
                                    .bottomRows(t);
   const Eigen::MatrixXd covariance =
-      mean * mean.transpose() + estimation::stationary_covariance(closed_loop, error.noise).bottomRightCorner(t, t);
+      mean * mean.transpose() + linear_model::stationary_covariance(closed_loop, error.noise).bottomRightCorner(t, t);
   const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
   if (factor.info() != Eigen::Success)
     throw std::invalid_argument("the covariance of the design's tuners over the fleet is not positive definite");
@@ -62,7 +62,7 @@ std::shared_ptr<const FleetTables> fleet_tables(const design::Design& design,
   return tables;
 }
 
-FleetWatch::FleetWatch(const FleetOptions& options, const estimation::LinearModel& model,
+FleetWatch::FleetWatch(const FleetOptions& options, const linear_model::LinearModel& model,
                        std::shared_ptr<const FleetTables> tables)
     : tables_(std::move(tables)),
       warn_sigma_(options.warn_sigma),
@@ -94,7 +94,7 @@ void FleetWatch::judge(const estimation::TunerVector& tuners, const estimation::
   const double distance = std::sqrt(std::max(0.0, distance2)), limit = distance_limits_[set];
   implausible_ = far_together_.judge(distance, limit, persistence_samples_);
   unlikely_.set(implausible_,
-                {wire::EventKind::unlikely_engine, 0, false, distance, limit,
+                {idl::EventKind::unlikely_engine, 0, false, distance, limit,
                  implausible_ != unlikely_.raised() ? apart(tuners, table) : 0},
                 events);
   double farthest = distance / limit;
@@ -104,7 +104,7 @@ void FleetWatch::judge(const estimation::TunerVector& tuners, const estimation::
     const double z = std::abs(health(i) - trim_(i)) / sigma_(i);
     const bool far = far_[at].judge(z, warn_sigma_, persistence_samples_);
     implausible_health_[at].set(
-        far, {wire::EventKind::implausible, static_cast<std::uint32_t>(i), false, z, warn_sigma_, 0}, events);
+        far, {idl::EventKind::implausible, static_cast<std::uint32_t>(i), false, z, warn_sigma_, 0}, events);
     implausible_ = implausible_ || far;
     farthest = std::max(farthest, z / warn_sigma_);
   }
@@ -121,10 +121,10 @@ std::uint32_t FleetWatch::apart(const estimation::TunerVector& tuners, const Fle
 void FleetWatch::reset(EventList& events) noexcept {
   for (std::size_t i = 0; i < far_.size(); ++i) {
     far_[i] = {};
-    implausible_health_[i].judge_anew(wire::EventKind::implausible, static_cast<std::uint32_t>(i), events);
+    implausible_health_[i].judge_anew(idl::EventKind::implausible, static_cast<std::uint32_t>(i), events);
   }
   far_together_ = withheld_ = {};
-  unlikely_.judge_anew(wire::EventKind::unlikely_engine, 0, events);
+  unlikely_.judge_anew(idl::EventKind::unlikely_engine, 0, events);
   excess_ = 1.0;
   implausible_ = false;
 }

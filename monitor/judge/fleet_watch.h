@@ -28,11 +28,11 @@
 #include <optional>
 #include <vector>
 
+#include "monitor/data/events.h"
+#include "monitor/data/options.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/capacity.h"
 #include "monitor/estimation/error_propagation.h"
-#include "monitor/judge/events.h"
-#include "monitor/options.h"
 
 namespace ehm::monitor {
 
@@ -63,7 +63,7 @@ std::shared_ptr<const FleetTables> fleet_tables(const design::Design& design,
 
 class FleetWatch {
  public:
-  FleetWatch(const FleetOptions& options, const estimation::LinearModel& model,
+  FleetWatch(const FleetOptions& options, const linear_model::LinearModel& model,
              std::shared_ptr<const FleetTables> tables);
 
   /// Takes the estimate of one sample; `missing` is the sensor that the present design lacks, -1 for none.

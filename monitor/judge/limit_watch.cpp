@@ -7,12 +7,12 @@ namespace ehm::monitor {
 
 namespace {
 
-int find(const std::vector<estimation::Channel>& channels, const std::string& name) {
+int find(const std::vector<linear_model::Channel>& channels, const std::string& name) {
   const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == name; });
   return found == channels.end() ? -1 : static_cast<int>(found - channels.begin());
 }
 
-std::string names(const std::vector<estimation::Channel>& channels) {
+std::string names(const std::vector<linear_model::Channel>& channels) {
   std::string list;
   for (const auto& c : channels) list += ' ' + c.name;
   return list;
@@ -20,13 +20,13 @@ std::string names(const std::vector<estimation::Channel>& channels) {
 
 }  // namespace
 
-LimitWatch::LimitWatch(const std::vector<LimitOptions>& limits, const estimation::LinearModel& model) {
+LimitWatch::LimitWatch(const std::vector<LimitOptions>& limits, const linear_model::LinearModel& model) {
   for (const auto& l : limits) {
     const int health = find(model.health, l.quantity), auxiliary = find(model.auxiliary, l.quantity);
     if (health < 0 && auxiliary < 0)
       throw std::invalid_argument("limit.quantity is '" + l.quantity + "', which the design does not estimate; it has" +
                                   names(model.health) + names(model.auxiliary));
-    limits_.push_back({health >= 0 ? wire::EventKind::health_limit : wire::EventKind::auxiliary_limit,
+    limits_.push_back({health >= 0 ? idl::EventKind::health_limit : idl::EventKind::auxiliary_limit,
                        health >= 0 ? health : auxiliary,
                        l.min,
                        l.max,
@@ -38,7 +38,7 @@ LimitWatch::LimitWatch(const std::vector<LimitOptions>& limits, const estimation
 void LimitWatch::judge(const estimation::HealthVector& health, const estimation::AuxiliaryVector& auxiliary,
                        EventList& events) noexcept {
   for (Limit& l : limits_) {
-    const double value = l.kind == wire::EventKind::health_limit ? health(l.channel) : auxiliary(l.channel);
+    const double value = l.kind == idl::EventKind::health_limit ? health(l.channel) : auxiliary(l.channel);
     const double margin = l.condition.raised() ? l.hysteresis : 0.0;
     const bool outside = value < l.min + margin || value > l.max - margin;
     const double threshold = value < 0.5 * (l.min + l.max) ? l.min : l.max;

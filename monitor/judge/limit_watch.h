@@ -5,16 +5,16 @@
 
 #include <vector>
 
+#include "engine_sim/linear_model/linear_model.h"
+#include "monitor/data/events.h"
+#include "monitor/data/options.h"
 #include "monitor/estimation/capacity.h"
-#include "monitor/estimation/linear_model.h"
-#include "monitor/judge/events.h"
-#include "monitor/options.h"
 
 namespace ehm::monitor {
 
 class LimitWatch {
  public:
-  LimitWatch(const std::vector<LimitOptions>& limits, const estimation::LinearModel& model);
+  LimitWatch(const std::vector<LimitOptions>& limits, const linear_model::LinearModel& model);
 
   /// Real-time safe: yes.
   void judge(const estimation::HealthVector& health, const estimation::AuxiliaryVector& auxiliary,
@@ -25,7 +25,7 @@ class LimitWatch {
 
  private:
   struct Limit {
-    wire::EventKind kind;
+    idl::EventKind kind;
     int channel;
     double min, max, hysteresis;
     Condition condition;

@@ -15,7 +15,7 @@ namespace ehm::monitor {
 namespace {
 
 ShiftStatistic make_statistic(const design::Design& design, const design::SubsetDesign& subset) {
-  const auto model = estimation::scaled(design.model, design.scaling);
+  const auto model = linear_model::scaled(design.model, design.scaling);
   const auto steady = estimation::steady_gain(model);
   const Eigen::MatrixXd scatter = 2.0 * subset.V * subset.health_noise_covariance * subset.V.transpose();
   const Eigen::LLT<Eigen::MatrixXd> factor(scatter);
@@ -79,7 +79,7 @@ Event ShiftDetector::isolate(const estimation::TunerVector& change) const noexce
   }
   const double scale = health_scales_(best);
   const double least = std::sqrt(threshold() / active().signature_information(best));
-  return {wire::EventKind::health_shift, static_cast<std::uint32_t>(best), true, scale * best_size, scale * least, 0};
+  return {idl::EventKind::health_shift, static_cast<std::uint32_t>(best), true, scale * best_size, scale * least, 0};
 }
 
 void ShiftDetector::name(const Event& shift, EventList& events) noexcept {

@@ -21,10 +21,10 @@
 #include <optional>
 #include <vector>
 
+#include "monitor/data/events.h"
+#include "monitor/data/options.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/capacity.h"
-#include "monitor/judge/events.h"
-#include "monitor/options.h"
 
 namespace ehm::monitor {
 

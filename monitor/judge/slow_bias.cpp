@@ -21,7 +21,7 @@ constexpr double ordinary_tail = 1e-3;
 
 std::shared_ptr<const SlowBiasTable> slow_bias_table(const design::Design& design) {
   auto table = std::make_shared<SlowBiasTable>();
-  const estimation::LinearModel model = estimation::scaled(design.model, design.scaling);
+  const linear_model::LinearModel model = linear_model::scaled(design.model, design.scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(model).H;
   const Eigen::Index m = H.rows();
   Eigen::MatrixXd spread = H * model.health_sigma.cwiseAbs2().asDiagonal() * H.transpose() +
@@ -71,7 +71,7 @@ void SlowBias::judge(const estimation::TunerVector& tuners, EventList& events) n
     const bool now =
         condition.raised() ? std::abs(z_(i)) > clear_share * threshold_ : above_[s] > table_->persistence_samples;
     condition.set(now,
-                  {wire::EventKind::slow_bias, static_cast<std::uint32_t>(i), false, table_->bias_per_z(i) * z_(i),
+                  {idl::EventKind::slow_bias, static_cast<std::uint32_t>(i), false, table_->bias_per_z(i) * z_(i),
                    table_->bias_per_z(i) * threshold_, 0},
                   events);
   }
@@ -89,7 +89,7 @@ bool SlowBias::raised() const noexcept {
 void SlowBias::reset(EventList& events) noexcept {
   above_.fill(0);
   for (std::size_t i = 0; i < conditions_.size(); ++i)
-    conditions_[i].judge_anew(wire::EventKind::slow_bias, static_cast<std::uint32_t>(i), events);
+    conditions_[i].judge_anew(idl::EventKind::slow_bias, static_cast<std::uint32_t>(i), events);
 }
 
 }  // namespace ehm::monitor

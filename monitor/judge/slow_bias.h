@@ -25,10 +25,10 @@
 #include <memory>
 #include <vector>
 
+#include "monitor/data/events.h"
+#include "monitor/data/options.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/capacity.h"
-#include "monitor/judge/events.h"
-#include "monitor/options.h"
 
 namespace ehm::monitor {
 

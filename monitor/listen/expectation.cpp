@@ -1,21 +1,21 @@
 #include "monitor/listen/expectation.h"
 
-#include "monitor/estimation/scaling.h"
+#include "engine_sim/linear_model/scaling.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::monitor {
 
-Expectation expect_sensors(const estimation::LinearModel& model, const Eigen::VectorXd& actuators) {
+Expectation expect_sensors(const linear_model::LinearModel& model, const Eigen::VectorXd& actuators) {
   const auto m = static_cast<Eigen::Index>(model.sensors.size());
   Eigen::VectorXd trim(m), size(m), du(actuators.size());
   for (Eigen::Index i = 0; i < m; ++i) {
-    const estimation::Channel& sensor = model.sensors[static_cast<std::size_t>(i)];
-    trim(i) = sensor.trim, size(i) = estimation::size_of_trim(sensor);
+    const linear_model::Channel& sensor = model.sensors[static_cast<std::size_t>(i)];
+    trim(i) = sensor.trim, size(i) = linear_model::size_of_trim(sensor);
   }
   for (Eigen::Index i = 0; i < du.size(); ++i) du(i) = actuators(i) - model.controls[static_cast<std::size_t>(i)].trim;
 
   // The gain of the actuators is that of a model whose "health" they are.
-  estimation::LinearModel acted = model;
+  linear_model::LinearModel acted = model;
   acted.L = model.B;
   acted.M = model.D;
   acted.N = model.G;

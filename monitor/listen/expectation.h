@@ -18,6 +18,6 @@ struct Expectation {
 
 /// `actuators` in the order of the model's controls, absolute.
 /// @throws std::runtime_error if the model has no steady state.
-Expectation expect_sensors(const estimation::LinearModel& model, const Eigen::VectorXd& actuators);
+Expectation expect_sensors(const linear_model::LinearModel& model, const Eigen::VectorXd& actuators);
 
 }  // namespace ehm::monitor

@@ -10,11 +10,11 @@
 #include <ostream>
 #include <set>
 
-#include "deploy/service/stop_signal.h"
+#include "deploy/runtime/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/dds/input_watch.h"
 #include "monitor/listen/listen_report.h"
-#include "monitor/service.h"
+#include "monitor/service/service.h"
 
 namespace ehm::monitor {
 
@@ -49,10 +49,10 @@ class Complaints {
 
 using Descriptions = std::map<SourceKey, EngineDescription>;
 
-void hear_descriptions(wire::Reader<EngineDescription>& reader, Descriptions& descriptions) {
+void hear_descriptions(idl::Reader<EngineDescription>& reader, Descriptions& descriptions) {
   EngineDescription d;
   while (reader.take(d))
-    if (d.role() == static_cast<std::uint32_t>(wire::DescriptionRole::source))
+    if (d.role() == static_cast<std::uint32_t>(idl::DescriptionRole::source))
       descriptions[{d.engine_id(), d.source_id()}] = d;
 }
 
@@ -105,7 +105,7 @@ void declare(CLI::App& app, ListenOptions& options) {
 bool listen(const MonitorConfig& config, const EngineTable& engines, const ListenOptions& options, std::ostream& out) {
   const service::StopSignal stop;
   Complaints complaints;
-  wire::ParticipantOptions participant_options = service_participant(config);
+  idl::ParticipantOptions participant_options = service_participant(config);
   participant_options.name += " --listen";
   NoticeBoard unheard;
   InputWatch input(unheard, config.input_deadline_s, config.input_lease_s);
@@ -114,9 +114,9 @@ bool listen(const MonitorConfig& config, const EngineTable& engines, const Liste
   participant_options.on_unreadable = [&](bool present, const std::string& what) {
     if (present) complaints.add(what);
   };
-  wire::Participant participant(participant_options);
-  wire::Reader<EngineSensors> sensors(participant);
-  wire::Reader<EngineDescription> descriptions(participant);
+  idl::Participant participant(participant_options);
+  idl::Reader<EngineSensors> sensors(participant);
+  idl::Reader<EngineDescription> descriptions(participant);
   eprosima::fastdds::dds::WaitSet wait_set;
   eprosima::fastdds::dds::ConditionSeq triggered;
   wait_set.attach_condition(sensors.condition());

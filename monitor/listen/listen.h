@@ -3,13 +3,13 @@
 // does, so that what is found here (QoS, domain, partition) is what the service would meet, and reports rates, losses,
 // times and every channel against the design.
 //
-// @throws wire::DdsError if DDS refuses an entity; std::runtime_error if a design has no steady state.
+// @throws idl::DdsError if DDS refuses an entity; std::runtime_error if a design has no steady state.
 
 #include <CLI/App.hpp>
 #include <iosfwd>
 
-#include "monitor/config.h"
-#include "monitor/engine_table.h"
+#include "monitor/service/config.h"
+#include "monitor/service/engine_table.h"
 
 namespace ehm::monitor {
 

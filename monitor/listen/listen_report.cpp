@@ -65,7 +65,7 @@ json findings_json(const std::vector<Finding>& findings) {
   return list;
 }
 
-json channel_json(const estimation::Channel& channel, const ChannelRecord& c) {
+json channel_json(const linear_model::Channel& channel, const ChannelRecord& c) {
   return {{"name", channel.name}, {"unit", channel.unit}, {"trim", channel.trim},
           {"last", c.last},       {"mean", c.mean()},     {"noise", c.noise()},
           {"good", c.good},       {"invalid", c.invalid}, {"not_finite", c.not_finite},

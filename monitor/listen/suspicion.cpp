@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "deploy/units/units.h"
+#include "deploy/runtime/units/units.h"
 
 namespace ehm::monitor {
 
@@ -15,7 +15,7 @@ bool near(double value, const Expectation& e, Eigen::Index i) {
 }
 
 /// Both values are right where the other stands, and wrong where they stand.
-std::string swap_partner(const std::vector<estimation::Channel>& sensors, const Eigen::VectorXd& mean,
+std::string swap_partner(const std::vector<linear_model::Channel>& sensors, const Eigen::VectorXd& mean,
                          const Expectation& e, Eigen::Index i) {
   for (Eigen::Index j = 0; j < mean.size(); ++j)
     if (j != i && near(mean(i), e, j) && near(mean(j), e, i) && !near(mean(j), e, j))
@@ -23,7 +23,7 @@ std::string swap_partner(const std::vector<estimation::Channel>& sensors, const 
   return "";
 }
 
-std::string other_place(const std::vector<estimation::Channel>& sensors, const Eigen::VectorXd& mean,
+std::string other_place(const std::vector<linear_model::Channel>& sensors, const Eigen::VectorXd& mean,
                         const Expectation& e, Eigen::Index i) {
   for (Eigen::Index j = 0; j < mean.size(); ++j)
     if (j != i && near(mean(i), e, j))
@@ -31,7 +31,7 @@ std::string other_place(const std::vector<estimation::Channel>& sensors, const E
   return "";
 }
 
-std::string unit_confusion(const estimation::Channel& sensor, double mean, const Expectation& e, Eigen::Index i) {
+std::string unit_confusion(const linear_model::Channel& sensor, double mean, const Expectation& e, Eigen::Index i) {
   if (sensor.trim != 0.0 && near(0.01 * mean * sensor.trim, e, i)) return "; it looks like percent of trim";
   for (const std::string& other : units::relatives(sensor.unit))
     if (near((*units::conversion(other, sensor.unit))(mean), e, i))
@@ -41,12 +41,12 @@ std::string unit_confusion(const estimation::Channel& sensor, double mean, const
 
 }  // namespace
 
-std::vector<std::string> suspicions(const std::vector<estimation::Channel>& sensors, const Eigen::VectorXd& mean,
+std::vector<std::string> suspicions(const std::vector<linear_model::Channel>& sensors, const Eigen::VectorXd& mean,
                                     const Expectation& e) {
   std::vector<std::string> texts;
   for (Eigen::Index i = 0; i < mean.size(); ++i) {
     if (!std::isfinite(mean(i)) || near(mean(i), e, i)) continue;
-    const estimation::Channel& sensor = sensors[static_cast<std::size_t>(i)];
+    const linear_model::Channel& sensor = sensors[static_cast<std::size_t>(i)];
     std::string why = swap_partner(sensors, mean, e, i);
     if (why.empty()) why = unit_confusion(sensor, mean(i), e, i);
     if (why.empty()) why = other_place(sensors, mean, e, i);

@@ -12,7 +12,7 @@ namespace ehm::monitor {
 inline constexpr double implausible_spreads = 5.0;
 
 /// One line a suspicious sensor; `mean` is NaN where there was no value.
-std::vector<std::string> suspicions(const std::vector<estimation::Channel>& sensors, const Eigen::VectorXd& mean,
+std::vector<std::string> suspicions(const std::vector<linear_model::Channel>& sensors, const Eigen::VectorXd& mean,
                                     const Expectation& expectation);
 
 }  // namespace ehm::monitor

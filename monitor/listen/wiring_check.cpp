@@ -2,13 +2,13 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine_sim/linear_model/sensor_noise.h"
 #include "idl/wire_values.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/sensor_check.h"
 #include "monitor/checks/source_fit.h"
+#include "monitor/checks/validity.h"
 #include "monitor/dds/misfit_text.h"
-#include "monitor/estimation/sensor_noise.h"
-#include "monitor/judge/validity.h"
 #include "monitor/listen/expectation.h"
 #include "monitor/listen/suspicion.h"
 
@@ -16,7 +16,7 @@ namespace ehm::monitor {
 
 namespace {
 
-constexpr double clock_tolerance = 0.005;      // two clocks that run apart by more than this are not both right
+constexpr double clock_tolerance = 0.005;  // two clocks that run apart by more than this are not both right
 constexpr double noise_ratio_max = 3.0, noise_ratio_min = 0.1;
 constexpr std::uint64_t samples_for_noise = 50;
 
@@ -50,8 +50,8 @@ void check_stamps(const SourceRecord& s, double restart_gap_s, Findings& finding
 }
 
 void check_order(const SourceRecord& s, double restart_gap_s, Findings& findings) {
-  if (s.last.schema() != wire::schema_version)
-    error(findings, fmt::format("schema is {}, this monitor reads {}", s.last.schema(), wire::schema_version));
+  if (s.last.schema() != idl::schema_version)
+    error(findings, fmt::format("schema is {}, this monitor reads {}", s.last.schema(), idl::schema_version));
   if (s.last.source_id() == 0) error(findings, "source_id is 0, which is reserved; number your sources from 1");
   if (s.samples > 1 && s.in_order == 0) error(findings, "sequence_number does not grow: add 1 a sample");
   if (s.repeated > 0 && s.in_order > 0)
@@ -94,7 +94,7 @@ void check_times(const SourceRecord& s, double sample_time_s, double stale_s, Fi
 /// Names and units by the source's own description; the fit of each channel, as the monitor makes it.
 template <class Fits>
 void check_names(const char* kind, const ChannelDescription* said, std::size_t count,
-                 const std::vector<estimation::Channel>& channels, Fits& fits, Findings& findings) {
+                 const std::vector<linear_model::Channel>& channels, Fits& fits, Findings& findings) {
   for (std::size_t i = 0; i < std::min(count, channels.size()); ++i) {
     const ChannelWords words{said[i].name().c_str(), said[i].unit().c_str()};
     fits[i] = fit_channel(words, channels, i);
@@ -106,7 +106,7 @@ void check_names(const char* kind, const ChannelDescription* said, std::size_t c
   }
 }
 
-bool check_counts(const SourceRecord& s, const estimation::LinearModel& model, Findings& findings) {
+bool check_counts(const SourceRecord& s, const linear_model::LinearModel& model, Findings& findings) {
   const auto fits = [&](const char* kind, std::size_t sent, std::size_t wanted) {
     if (sent != wanted) error(findings, fmt::format("{}_count is {}, the design has {}", kind, sent, wanted));
     return sent == wanted;
@@ -155,7 +155,7 @@ void check_noise(const std::string& name, const ChannelRecord& c, const ChannelF
 }
 
 bool at_design_point(const SourceRecord& s, const SourceFit& fit, const CycleOptions& options,
-                     const estimation::LinearModel& model) {
+                     const linear_model::LinearModel& model) {
   Sample sample;
   sample.flight = {s.last.altitude_m(), s.last.mach(), s.last.delta_isa_k()};
   sample.actuator_count = s.last.actuator_count();
@@ -173,7 +173,7 @@ bool WiringReport::has_error() const {
 
 WiringReport check_wiring(const SourceRecord& s, const design::Design& design, const CycleOptions& options,
                           const EngineDescription* description) {
-  const estimation::LinearModel& model = design.model;
+  const linear_model::LinearModel& model = design.model;
   WiringReport report;
   Findings& findings = report.findings;
   check_order(s, options.checks.restart_gap_s, findings);
@@ -205,7 +205,7 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
     // A sensor that holds each value for n samples steps once in n, by noise that is counted n times.
     const auto at = static_cast<Eigen::Index>(i);
     check_noise(name, s.sensors[i], fit.sensors[i],
-                model.sensor_noise_sigma(at) / estimation::held_samples(model, at), findings);
+                model.sensor_noise_sigma(at) / linear_model::held_samples(model, at), findings);
   }
   if (!acting.allFinite()) return report;
   const Expectation expectation = expect_sensors(model, acting);

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "monitor/data/options.h"
 #include "monitor/design/design.h"
 #include "monitor/listen/source_record.h"
-#include "monitor/options.h"
 
 namespace ehm::monitor {
 

@@ -54,7 +54,7 @@ void fill_result(const MonitorCycle& cycle, Row& row) noexcept {
   copy(cycle.filter().health_sigma_filter(), row.t_sigma_filter);
 }
 
-std::vector<recording::Channel> described(const std::vector<estimation::Channel>& channels) {
+std::vector<recording::Channel> described(const std::vector<linear_model::Channel>& channels) {
   std::vector<recording::Channel> all;
   for (const auto& channel : channels) all.push_back({channel.name, channel.unit});
   return all;

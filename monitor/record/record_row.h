@@ -1,8 +1,8 @@
 #pragma once
 // Between the cycle and the recording's rows: nothing but copying.
 
-#include "deploy/recording/layout.h"
-#include "monitor/engine_slot.h"
+#include "deploy/runtime/recording/layout.h"
+#include "monitor/service/engine_slot.h"
 
 namespace ehm::monitor {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "deploy/files/file_error.h"
-#include "deploy/recording/part_files.h"
-#include "deploy/service/last_catch.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/recording/part_files.h"
+#include "deploy/runtime/service/last_catch.h"
 #include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
@@ -96,7 +96,7 @@ void Recorder::give_up(const std::string& why) {
   writer_.reset();
   next_try_ = steady_clock::now() + retry_after;
   notices_.post(
-      {wire::EventKind::recording, true,
+      {idl::EventKind::recording, true,
        "recording has stopped, the monitor goes on and its samples count as records_lost; tried again every " +
            std::to_string(retry_after.count()) + " s: " + why});
 }
@@ -109,7 +109,7 @@ void Recorder::resume_when_due() {
   } catch (const files::FileError&) {
     return;  // the event stands
   }
-  notices_.post({wire::EventKind::recording, false, "recording goes on in " + writer_->path()});
+  notices_.post({idl::EventKind::recording, false, "recording goes on in " + writer_->path()});
 }
 
 template <class Step>

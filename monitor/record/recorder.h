@@ -18,11 +18,11 @@
 #include <thread>
 #include <vector>
 
-#include "deploy/recording/writer.h"
-#include "monitor/config.h"
-#include "monitor/engine_table.h"
-#include "monitor/notice_board.h"
+#include "deploy/runtime/recording/writer.h"
 #include "monitor/record/record_feed.h"
+#include "monitor/service/config.h"
+#include "monitor/service/engine_table.h"
+#include "monitor/service/notice_board.h"
 
 namespace ehm::monitor {
 

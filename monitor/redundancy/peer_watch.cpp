@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds discovery{1000};  // two announcements: afte
 constexpr std::chrono::milliseconds alone_for{250};
 }  // namespace
 
-PeerWatch::PeerWatch(wire::Participant& participant, std::uint32_t source_id)
+PeerWatch::PeerWatch(idl::Participant& participant, std::uint32_t source_id)
     : participant_(participant), source_id_(source_id), fence_(monotonic_ns(), heard_), thread_([this] { run(); }) {}
 
 PeerWatch::~PeerWatch() {
@@ -28,7 +28,7 @@ void PeerWatch::run() {
   while (!stopped()) {
     try {
       listen_until_alone();
-    } catch (const wire::DdsError& e) {
+    } catch (const idl::DdsError& e) {
       spdlog::error("this monitor may not hear its partner, and keeps its configured strength: {}", e.what());
       return;
     }
@@ -43,7 +43,7 @@ void PeerWatch::run() {
 }
 
 void PeerWatch::listen_until_alone() {
-  wire::Reader<EngineHealth> reader(participant_);
+  idl::Reader<EngineHealth> reader(participant_);
   EngineHealth estimate;
   Clock::time_point peer_heard = Clock::now() + discovery - alone_for;
   while (!stopped()) {

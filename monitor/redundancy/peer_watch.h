@@ -25,7 +25,7 @@ namespace ehm::monitor {
 class PeerWatch {
  public:
   /// `source_id` is ours.
-  PeerWatch(wire::Participant& participant, std::uint32_t source_id);
+  PeerWatch(idl::Participant& participant, std::uint32_t source_id);
   ~PeerWatch();
   /// For the cycle thread, with the monotonic clock: see write_fence.h. Real-time safe: yes.
   void awake(std::int64_t now_ns) noexcept { fence_.awake(now_ns); }
@@ -37,7 +37,7 @@ class PeerWatch {
   bool stopped() const { return stop_.load(std::memory_order_relaxed); }
   void listen_until_alone();
 
-  wire::Participant& participant_;
+  idl::Participant& participant_;
   std::uint32_t source_id_;
   std::atomic<bool> heard_{false};  ///< the last estimate heard was ours; of the incumbent, until it yields
   std::atomic<bool> incumbent_{false}, stop_{false};

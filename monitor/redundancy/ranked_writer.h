@@ -4,7 +4,7 @@
 // Two, because the strength of one cannot be changed for everybody: with DDS Security, readers of Fast DDS 2.9.1 keep
 // the strength that they saw when they matched. And so a rank holds from the very sample on that is written with it.
 //
-// Real-time safe: as wire::Writer. Must be destroyed before its Participant.
+// Real-time safe: as idl::Writer. Must be destroyed before its Participant.
 
 #include <cstdint>
 #include <optional>
@@ -18,7 +18,7 @@ inline constexpr std::uint32_t incumbent_bonus = 2'000'000;  // twice the larges
 template <class T>
 class RankedWriter {
  public:
-  explicit RankedWriter(wire::Participant& participant) : configured_(participant) {
+  explicit RankedWriter(idl::Participant& participant) : configured_(participant) {
     if (participant.options().redundancy.exclusive) incumbent_.emplace(participant, incumbent_bonus);
   }
   /// False when the middleware refused the sample.
@@ -28,10 +28,10 @@ class RankedWriter {
   bool drain(double seconds) { return configured_.drain(seconds) && (!incumbent_ || incumbent_->drain(seconds)); }
 
  private:
-  wire::Writer<T>& ranked(bool as_incumbent) { return as_incumbent && incumbent_ ? *incumbent_ : configured_; }
+  idl::Writer<T>& ranked(bool as_incumbent) { return as_incumbent && incumbent_ ? *incumbent_ : configured_; }
 
-  wire::Writer<T> configured_;
-  std::optional<wire::Writer<T>> incumbent_;
+  idl::Writer<T> configured_;
+  std::optional<idl::Writer<T>> incumbent_;
 };
 
 }  // namespace ehm::monitor

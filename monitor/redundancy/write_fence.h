@@ -23,7 +23,7 @@ namespace ehm::monitor {
 
 class WriteFence {
  public:
-  static constexpr auto lease_ns = static_cast<std::int64_t>(1e9 * wire::redundant_lease_s);
+  static constexpr auto lease_ns = static_cast<std::int64_t>(1e9 * idl::redundant_lease_s);
   static constexpr std::int64_t longest_silence_ns = lease_ns / 4 * 3;
   static constexpr std::int64_t longest_nap_ns = 25'000'000;  // a cycle that waits for input wakes up after 15 ms
   static constexpr std::int64_t quiet_ns = 500'000'000;       // who starts or yields: the other one becomes incumbent

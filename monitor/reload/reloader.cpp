@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "deploy/service/last_catch.h"
+#include "deploy/runtime/service/last_catch.h"
 #include "idl/wire_values.h"
 
 namespace ehm::monitor {
@@ -85,7 +85,7 @@ void Reloader::reload() {
     hooks_.before(*table);
   } catch (const std::exception& e) {
     exchange_.refused.fetch_add(1, std::memory_order_relaxed);
-    notices_.post({wire::EventKind::configuration, true,
+    notices_.post({idl::EventKind::configuration, true,
                    std::string("reload refused, the old configuration flies on: ") + e.what()});
     return;
   }
@@ -100,7 +100,7 @@ void Reloader::reload() {
   flying_ = std::move(wanted.values);
   spdlog::set_level(spdlog::level::from_str(wanted.config.log_level));
   exchange_.reloads.fetch_add(1, std::memory_order_relaxed);
-  notices_.post({wire::EventKind::configuration, false,
+  notices_.post({idl::EventKind::configuration, false,
                  "configuration and designs reloaded, filters for " + std::to_string(current_->size()) + " engines"});
 }
 

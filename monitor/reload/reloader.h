@@ -10,10 +10,10 @@
 #include <string>
 #include <thread>
 
-#include "deploy/service/reload_signal.h"
-#include "monitor/config.h"
-#include "monitor/notice_board.h"
+#include "deploy/runtime/service/reload_signal.h"
 #include "monitor/reload/table_exchange.h"
+#include "monitor/service/config.h"
+#include "monitor/service/notice_board.h"
 
 namespace ehm::monitor {
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "monitor/engine_table.h"
+#include "monitor/service/engine_table.h"
 
 namespace ehm::monitor {
 

@@ -5,7 +5,7 @@
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <iostream>
 
-#include "deploy/service/stop_signal.h"
+#include "deploy/runtime/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
 
 int main(int argc, char** argv) {
@@ -15,12 +15,12 @@ int main(int argc, char** argv) {
     return 2;
   }
   const service::StopSignal stop;
-  wire::ParticipantOptions options;
+  idl::ParticipantOptions options;
   options.domain = static_cast<std::uint32_t>(std::atoi(argv[1]));
   options.name = "bare echo";
-  wire::Participant participant(options);
-  wire::Reader<EngineSensors> sensors(participant);
-  wire::Writer<EngineHealth> health(participant);
+  idl::Participant participant(options);
+  idl::Reader<EngineSensors> sensors(participant);
+  idl::Writer<EngineHealth> health(participant);
   eprosima::fastdds::dds::WaitSet wait_set;
   eprosima::fastdds::dds::ConditionSeq triggered;
   wait_set.attach_condition(sensors.condition());

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 class ChildProcess {
  public:
@@ -39,4 +39,4 @@ class ChildProcess {
   pid_t pid_ = -1;
 };
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

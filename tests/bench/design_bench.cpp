@@ -8,17 +8,17 @@
 #include <chrono>
 #include <cstdio>
 
-#include "engine_sim/model/engines/jt9d.h"
-#include "tuner_design/choose_tuners.h"
-#include "tuner_design/design_tuner.h"
-#include "tuner_design/linearise.h"
+#include "engine_sim/engines/jt9d.h"
+#include "tuner_design/design/choose_tuners.h"
+#include "tuner_design/design/design_tuner.h"
+#include "tuner_design/linearise/linearise.h"
 #include "tuner_design/search/kalman_objective.h"
 #include "tuner_design/search/row_space.h"
 
 namespace {
 
 using namespace ehm;
-using namespace ehm::bench;
+using namespace ehm::tuner_design;
 
 constexpr double qh_percent2 = 1e-3;
 
@@ -26,14 +26,14 @@ struct Cruise {
   Cruise() {
     LineariseOptions options;
     options.flight = {10668.0, 0.8, 0.0};
-    options.demand = {engine::DemandKind::t40_k, cruise_t40_k};
+    options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
     options.fleet = 0;
-    model = linearise(engine::Turbofan(engine::jt9d()), options).model;
+    model = linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model;
     const PreparedPoint prepared = prepare(model);
     point = make_point_problem(prepared.model, prepared.steady, all_sensors(model), {});
     V = row_space(point.H * point.health_covariance);
   }
-  estimation::LinearModel model;
+  linear_model::LinearModel model;
   PointProblem point;
   Eigen::MatrixXd V;
 };

@@ -14,14 +14,14 @@
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <thread>
 
-#include "deploy/config/usage_answer.h"
+#include "deploy/runtime/config/usage_answer.h"
 #include "engine_sim/pacer.h"
 #include "idl/dds/endpoint.h"
 #include "tests/bench/child_process.h"
 #include "tests/bench/percentiles.h"
 #include "tests/bench/trim_sample.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr double asked_p50_us = 10.0, asked_p99_us = 50.0;
@@ -33,8 +33,8 @@ std::int64_t now_ns() {
   return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
 }
 
-wire::ParticipantOptions on_domain(std::uint32_t domain) {
-  wire::ParticipantOptions options;
+idl::ParticipantOptions on_domain(std::uint32_t domain) {
+  idl::ParticipantOptions options;
   options.domain = domain;
   options.name = "echo bench";
   return options;
@@ -70,9 +70,9 @@ class RoundTrip {
   int unanswered = 0;
 
  private:
-  wire::Participant participant_;
-  wire::Writer<EngineSensors> sensors_;
-  wire::Reader<EngineHealth> health_;
+  idl::Participant participant_;
+  idl::Writer<EngineSensors> sensors_;
+  idl::Reader<EngineHealth> health_;
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
   TrimSample engine_;
@@ -136,7 +136,7 @@ int run(const Options& options) {
   const auto period_ns = static_cast<std::int64_t>(1e6 * options.period_ms);
   const auto warm_up = static_cast<int>(3e3 / options.period_ms);
   const auto samples = static_cast<int>(1e3 * options.seconds / options.period_ms);
-  engine::Pacer pacer(0.5e-3 * options.period_ms);
+  engine_sim::Pacer pacer(0.5e-3 * options.period_ms);
   for (int i = -warm_up; i < samples; ++i) {
     bare.measure(period_ns, i < 0);
     pacer.wait();
@@ -147,10 +147,10 @@ int run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design
 
 int main(int argc, char** argv) {
-  ehm::bench::Options options;
+  ehm::tuner_design::Options options;
   CLI::App app{"What the monitor adds to a round trip over DDS"};
   app.add_option("--design", options.design, "design file of the monitor")->required()->check(CLI::ExistingFile);
   app.add_option("--seconds", options.seconds, "how long to measure")->check(CLI::Range(0.1, 86400.0));
@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
     return ehm::config::usage_answer(app, e);
   }
   try {
-    return ehm::bench::run(options);
+    return ehm::tuner_design::run(options);
   } catch (const std::exception& e) {
     fmt::print(stderr, "echo_bench: {}\n", e.what());
     return 1;

@@ -12,10 +12,10 @@
 #include <random>
 #include <vector>
 
-#include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/engines/jt9d.h"
 #include "tests/bench/slam_flight.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 const Turbofan& turbofan() {
@@ -90,6 +90,6 @@ void steady_warm(benchmark::State& state) {
 BENCHMARK(steady_warm)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim
 
 BENCHMARK_MAIN();

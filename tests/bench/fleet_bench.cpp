@@ -11,12 +11,12 @@
 #include <cmath>
 #include <vector>
 
-#include "deploy/config/usage_answer.h"
+#include "deploy/runtime/config/usage_answer.h"
 #include "tests/bench/fleet_run.h"
 
 namespace {
 
-using namespace ehm::bench;
+using namespace ehm::tuner_design;
 
 constexpr double asked_p99_us = 3000.0;
 constexpr std::uint32_t most_engines = 1000;  ///< monitor.max_engines allows no more

@@ -9,8 +9,8 @@
 #include <chrono>
 #include <thread>
 
-#include "deploy/config/usage_answer.h"
-#include "deploy/service/stop_signal.h"
+#include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/service/stop_signal.h"
 #include "engine_sim/pacer.h"
 #include "idl/dds/endpoint.h"
 #include "tests/bench/trim_sample.h"
@@ -27,7 +27,7 @@ struct Options {
 };
 
 /// Waits until so many monitors listen, and a moment more: matching is not symmetric.
-bool wait_for_readers(const wire::Writer<EngineSensors>& writer, int readers, const service::StopSignal& stop) {
+bool wait_for_readers(const idl::Writer<EngineSensors>& writer, int readers, const service::StopSignal& stop) {
   while (writer.matched() < readers && !stop.requested()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   return !stop.requested();
@@ -35,21 +35,21 @@ bool wait_for_readers(const wire::Writer<EngineSensors>& writer, int readers, co
 
 int run(const Options& options) {
   const service::StopSignal stop;
-  wire::ParticipantOptions participant_options;
+  idl::ParticipantOptions participant_options;
   participant_options.domain = options.domain;
   participant_options.name = "fleet replay";
   participant_options.partition = options.partition;
   participant_options.profiles_file = options.profiles_file;
-  wire::Participant participant(participant_options);
-  wire::Writer<EngineSensors> writer(participant);
+  idl::Participant participant(participant_options);
+  idl::Writer<EngineSensors> writer(participant);
   if (!wait_for_readers(writer, options.readers, stop)) return 0;
 
-  const bench::TrimSample trim(options.design);
-  std::vector<bench::TrimSample> engines;
+  const tuner_design::TrimSample trim(options.design);
+  std::vector<tuner_design::TrimSample> engines;
   for (std::uint32_t i = 0; i < options.engines; ++i) engines.push_back(trim.of_engine(options.first_id + i));
   const auto period_ns = static_cast<std::int64_t>(1e6 * options.period_ms);
   const auto rounds = static_cast<std::uint64_t>(1e3 * options.seconds / options.period_ms);
-  engine::Pacer pacer(1e-3 * options.period_ms / options.engines);
+  engine_sim::Pacer pacer(1e-3 * options.period_ms / options.engines);
   std::uint64_t sent = 0, refused = 0;
   for (std::uint64_t round = 0; round < rounds && !stop.requested(); ++round)
     for (auto& engine : engines) {

@@ -12,7 +12,7 @@
 #include "idl/dds/endpoint.h"
 #include "tests/bench/child_process.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -39,7 +39,7 @@ double resident_mb(pid_t process) {
 /// A subscriber of what the monitor says, and its count of it.
 class Subscriber {
  public:
-  explicit Subscriber(wire::Participant& participant) : health_(participant), status_(participant) {
+  explicit Subscriber(idl::Participant& participant) : health_(participant), status_(participant) {
     wait_set_.attach_condition(health_.condition());
     wait_set_.attach_condition(status_.condition());
   }
@@ -59,8 +59,8 @@ class Subscriber {
   std::map<std::uint32_t, MonitorStatus> status;  ///< latest of each engine
 
  private:
-  wire::Reader<EngineHealth> health_;
-  wire::Reader<MonitorStatus> status_;
+  idl::Reader<EngineHealth> health_;
+  idl::Reader<MonitorStatus> status_;
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 };
@@ -91,10 +91,10 @@ FleetResult fly_fleet(const FleetOptions& options) {
   const ChildProcess monitor({EHM_MONITOR, "--monitor-design", options.design, "--dds-domain", text(options.domain),
                               "--monitor-max-engines", text(options.engines), "--log-level", "error",
                               "--metrics-listen", ""});
-  wire::ParticipantOptions participant_options;
+  idl::ParticipantOptions participant_options;
   participant_options.domain = options.domain;
   participant_options.name = "fleet bench";
-  wire::Participant participant(participant_options);
+  idl::Participant participant(participant_options);
   Subscriber subscriber(participant);
   for (int i = 0; !subscriber.matched(); ++i) {
     if (i == 100) throw std::runtime_error("the monitor did not match within 10 s");
@@ -116,4 +116,4 @@ FleetResult fly_fleet(const FleetOptions& options) {
   return r;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct FleetOptions {
   std::string design;
@@ -31,4 +31,4 @@ struct FleetResult {
 /// @throws std::runtime_error if the processes do not find each other.
 FleetResult fly_fleet(const FleetOptions& options);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

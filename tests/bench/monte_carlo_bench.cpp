@@ -17,14 +17,14 @@
 #include <chrono>
 #include <limits>
 
-#include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/engines/jt9d.h"
 #include "monitor/design/make_filter.h"
-#include "tuner_design/design_tuner.h"
-#include "tuner_design/linearise.h"
+#include "tuner_design/design/design_tuner.h"
+#include "tuner_design/linearise/linearise.h"
 #include "tuner_design/monte_carlo/kalman_experiment.h"
 #include "tuner_design/monte_carlo/random_stream.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr int states = 9, sensors = 7, actuators = 3, health = 10, auxiliary = 4;  // states: two and seven tuners
@@ -34,9 +34,9 @@ const design::Design& cruise_design() {
   static const design::Design design = [] {
     LineariseOptions options;
     options.flight = {10668.0, 0.8, 0.0};
-    options.demand = {engine::DemandKind::t40_k, 1308.6};
+    options.demand = {engine_sim::DemandKind::t40_k, 1308.6};
     options.fleet = 0;
-    return design_tuner(linearise(engine::Turbofan(engine::jt9d()), options).model, {});
+    return design_tuner(linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model, {});
   }();
   return design;
 }
@@ -163,6 +163,6 @@ void sensor_noise(benchmark::State& state) {
 BENCHMARK(sensor_noise);
 
 }  // namespace
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design
 
 BENCHMARK_MAIN();

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// The smallest value that at least `share` of all values do not exceed; 0 of none. `values` is reordered.
 inline double percentile(std::vector<double>& values, double share) {
@@ -28,4 +28,4 @@ inline double median_of_blocks(const std::vector<double>& values, std::size_t si
   return percentile(each, 0.5);
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

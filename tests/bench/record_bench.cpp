@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "deploy/recording/recording_rows.h"
-#include "deploy/recording/writer.h"
+#include "deploy/runtime/recording/recording_rows.h"
+#include "deploy/runtime/recording/writer.h"
 
 namespace {
 

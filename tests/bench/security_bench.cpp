@@ -21,7 +21,7 @@
 #include <thread>
 #include <vector>
 
-#include "deploy/config/usage_answer.h"
+#include "deploy/runtime/config/usage_answer.h"
 #include "idl/dds/endpoint.h"
 #include "idl/wire_values.h"
 
@@ -38,9 +38,9 @@ struct Options {
   std::uint32_t domain = 48;  // and the two after it
 };
 
-wire::ParticipantOptions participant_options(const Options& options, std::size_t kind, const std::string& files,
-                                             const std::string& role) {
-  wire::ParticipantOptions o;
+idl::ParticipantOptions participant_options(const Options& options, std::size_t kind, const std::string& files,
+                                            const std::string& role) {
+  idl::ParticipantOptions o;
   o.domain = options.domain + static_cast<std::uint32_t>(kind);
   o.name = std::string("security_bench ") + role;
   if (kind > 0) o.security = files + "/" + kinds[kind] + "/" + role;
@@ -50,7 +50,7 @@ wire::ParticipantOptions participant_options(const Options& options, std::size_t
 /// The other process: answers each sample at once.
 class Echo {
  public:
-  explicit Echo(const wire::ParticipantOptions& options)
+  explicit Echo(const idl::ParticipantOptions& options)
       : participant_(options), sensors_(participant_), answers_(participant_) {}
   eprosima::fastdds::dds::StatusCondition& condition() { return sensors_.condition(); }
   void answer() {
@@ -62,9 +62,9 @@ class Echo {
   }
 
  private:
-  wire::Participant participant_;
-  wire::Reader<EngineSensors> sensors_;
-  wire::Writer<EngineResiduals> answers_;
+  idl::Participant participant_;
+  idl::Reader<EngineSensors> sensors_;
+  idl::Writer<EngineResiduals> answers_;
   EngineSensors sample_;
   EngineResiduals answer_;
 };
@@ -86,11 +86,11 @@ class Echo {
 
 class Ping {
  public:
-  explicit Ping(const wire::ParticipantOptions& options)
+  explicit Ping(const idl::ParticipantOptions& options)
       : participant_(options), sensors_(participant_), answers_(participant_) {
     wait_set_.attach_condition(answers_.condition());
     sample_.engine_id(1);
-    sample_.schema(wire::schema_version);
+    sample_.schema(idl::schema_version);
   }
   bool matched() const { return sensors_.matched() == 1 && answers_.matched() == 1; }
   /// Round trip in us; negative if no answer came within a second.
@@ -108,9 +108,9 @@ class Ping {
   }
 
  private:
-  wire::Participant participant_;
-  wire::Writer<EngineSensors> sensors_;
-  wire::Reader<EngineResiduals> answers_;
+  idl::Participant participant_;
+  idl::Writer<EngineSensors> sensors_;
+  idl::Reader<EngineResiduals> answers_;
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
   EngineSensors sample_;

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "engine_sim/model/transient.h"
-#include "tests/unit/engine_sim/throttle_slam.h"
+#include "engine_sim/model/solve/transient.h"
+#include "tests/unit/engine_sim/model/throttle_slam.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 
 class SlamFlight {
  public:
@@ -46,4 +46,4 @@ class SlamFlight {
   std::size_t step_ = 0;
 };
 
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -2,11 +2,11 @@
 
 #include <cstdio>
 
-#include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/engines/jt9d.h"
 #include "tests/bench/slam_flight.h"
 
 int main() {
-  using namespace ehm::engine;
+  using namespace ehm::engine_sim;
   const Turbofan engine(jt9d());
   SlamFlight flight(engine);
   double t40_max_k = 0.0;

@@ -5,13 +5,13 @@
 #include "idl/wire_values.h"
 #include "monitor/design/design_file.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 TrimSample::TrimSample(const std::string& design_file, std::uint32_t engine_id) {
-  const estimation::LinearModel model = design::read_design(design_file).model;
+  const linear_model::LinearModel model = design::read_design(design_file).model;
   EngineSensors& s = trim_;
   s.engine_id(engine_id);
-  s.schema(wire::schema_version);
+  s.schema(idl::schema_version);
   s.source_id(1);
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   s.source_time_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
@@ -44,4 +44,4 @@ TrimSample TrimSample::of_engine(std::uint32_t engine_id) const {
   return other;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

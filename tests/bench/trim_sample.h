@@ -7,11 +7,11 @@
 
 #include "engine_health.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 class TrimSample {
  public:
-  /// @throws design::FileError if the design cannot be read.
+  /// @throws files::FileError if the design cannot be read.
   explicit TrimSample(const std::string& design_file, std::uint32_t engine_id = 1);
 
   /// The next sample of this engine; the source's clock moves on by one period.
@@ -24,4 +24,4 @@ class TrimSample {
   EngineSensors trim_, sample_;
 };
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

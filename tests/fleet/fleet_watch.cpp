@@ -8,7 +8,7 @@
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <map>
 
-#include "deploy/config/usage_answer.h"
+#include "deploy/runtime/config/usage_answer.h"
 #include "idl/dds/endpoint.h"
 
 namespace {
@@ -23,15 +23,15 @@ struct Heard {
 };
 
 struct Options {
-  wire::ParticipantOptions participant;
+  idl::ParticipantOptions participant;
   double seconds = 3.0;
   std::string title;
 };
 
 std::map<std::uint32_t, Heard> listen(const Options& options) {
-  wire::Participant participant(options.participant);
-  wire::Reader<EngineHealth> health(participant);
-  wire::Reader<MonitorStatus> status(participant);
+  idl::Participant participant(options.participant);
+  idl::Reader<EngineHealth> health(participant);
+  idl::Reader<MonitorStatus> status(participant);
   eprosima::fastdds::dds::WaitSet wait_set;
   eprosima::fastdds::dds::ConditionSeq triggered;
   wait_set.attach_condition(health.condition());

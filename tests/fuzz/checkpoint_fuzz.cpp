@@ -1,6 +1,6 @@
 // A checkpoint: refused with a FileError, or plain data that a cycle may be asked to resume from.
 
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 #include "monitor/checkpoint/checkpoint.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sealed_json.h"

@@ -1,6 +1,6 @@
 // The design file: refused with a FileError, or for matrices that do not fit together, or a design that flies.
 
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 #include "monitor/design/design_file.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/published.h"
@@ -9,7 +9,7 @@
 namespace {
 
 /// At the design's trim, with a trace of change, since equal values are stuck.
-ehm::monitor::Sample at_trim(const ehm::estimation::LinearModel& model, std::uint64_t sequence) {
+ehm::monitor::Sample at_trim(const ehm::linear_model::LinearModel& model, std::uint64_t sequence) {
   ehm::monitor::Sample s;
   s.schema = 1;
   s.sequence = sequence;

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 #include "tests/fuzz/require.h"
 #include "tuner_design/import/import_model.h"
 
@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace ehm;
   write_files({reinterpret_cast<const char*>(data), size});
   try {
-    const auto imported = bench::import_model(folder(), {});
+    const auto imported = tuner_design::import_model(folder(), {});
     EHM_REQUIRE(imported.model.A.allFinite() && imported.model.M.allFinite());
     EHM_REQUIRE((imported.model.sensor_noise_sigma.array() > 0.0).all());
   } catch (const files::FileError& e) {

@@ -1,6 +1,6 @@
 // The monitor's configuration file: refused with a ConfigError, or every value is in its range and prints.
 
-#include "monitor/config.h"
+#include "monitor/service/config.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/require.h"
 

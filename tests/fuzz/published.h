@@ -1,7 +1,7 @@
 #pragma once
 // What a cycle promises of whatever it has been fed: finite estimates, positive sigmas, counters that add up.
 
-#include "monitor/monitor_cycle.h"
+#include "monitor/cycle/monitor_cycle.h"
 #include "tests/fuzz/require.h"
 
 namespace ehm::fuzz {

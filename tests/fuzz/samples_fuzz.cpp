@@ -23,7 +23,7 @@ enum Change : std::uint8_t {
 
 class Pilot {
  public:
-  explicit Pilot(const estimation::LinearModel& model) : model_(model) {
+  explicit Pilot(const linear_model::LinearModel& model) : model_(model) {
     sample_.schema = 1;
     sample_.sensor_count = static_cast<std::uint32_t>(model.sensors.size());
     sample_.actuator_count = static_cast<std::uint32_t>(model.controls.size());
@@ -61,7 +61,7 @@ class Pilot {
  private:
   /// One value takes the fuzzer's bits once, or moves by a step in percent of trim that stays.
   template <class Values, class Steps>
-  static void spoil(Values& values, Steps& steps, const std::vector<estimation::Channel>& channels,
+  static void spoil(Values& values, Steps& steps, const std::vector<linear_model::Channel>& channels,
                     fuzz::ByteReader& bytes) {
     const auto which = bytes.take<std::uint8_t>();
     const std::size_t count = std::min(channels.size(), values.size());
@@ -96,7 +96,7 @@ class Pilot {
     }
   }
 
-  const estimation::LinearModel& model_;
+  const linear_model::LinearModel& model_;
   monitor::Sample sample_;
   std::uint64_t time_ns_ = 0;
   std::array<double, estimation::max_sensors> step_{};

@@ -7,12 +7,12 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ehm;
   const fuzz::MemoryFile file(data, size);
-  engine::SimConfig config;
+  engine_sim::SimConfig config;
   config::Schema schema;
-  engine::declare(schema, config);
+  engine_sim::declare(schema, config);
   try {
     schema.load(file.path());
-    engine::finish_config(config, schema);
+    engine_sim::finish_config(config, schema);
   } catch (const config::ConfigError& e) {
     EHM_REQUIRE(e.what()[0] != '\0');
     return 0;

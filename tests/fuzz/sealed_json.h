@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "monitor/design/content_hash.h"
+#include "deploy/runtime/files/content_hash.h"
 
 namespace ehm::fuzz {
 
@@ -16,7 +16,7 @@ inline std::string sealed(const std::uint8_t* data, std::size_t size) {
   if (!json.is_object()) return text;
   try {
     json.erase("hash");
-    json["hash"] = design::sha256_hex(json.dump());
+    json["hash"] = files::sha256_hex(json.dump());
     return json.dump();
   } catch (const nlohmann::json::exception&) {  // not UTF-8
     return text;

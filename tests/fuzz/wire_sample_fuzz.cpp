@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto design = fuzz::small_design();
   static const monitor::MonitorCycle fresh(design, monitor::CycleOptions{});
   monitor::MonitorCycle cycle = fresh;
-  static wire::GuardedType<EngineSensorsPubSubType> type;
+  static idl::GuardedType<EngineSensorsPubSubType> type;
   eprosima::fastrtps::rtps::SerializedPayload_t payload(largest);
   EngineSensors message;
   monitor::Sample sample;

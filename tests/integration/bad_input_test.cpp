@@ -31,7 +31,7 @@ class BadSamplesTest : public PairTest {
     return listener_.status.back();
   }
   std::unique_ptr<Process> monitor_;
-  wire::Writer<EngineSensors> writer_{participant_};
+  idl::Writer<EngineSensors> writer_{participant_};
   EngineSamples samples_{design_file(), 1};
   std::uint64_t sent_ = 0;
 };
@@ -48,15 +48,15 @@ TEST_F(BadSamplesTest, EachHasItsCounter) {
   s.sensor()[4] = 10.0 * samples_.trim()[4];
   EXPECT_EQ(send(s).sensor_rejections(), 3u);
   ASSERT_TRUE(listener_.await([&] { return listener_.residuals.size() == 8; }));
-  EXPECT_EQ(listener_.residuals[5].reason()[2], wire::reject_reason::not_finite);
-  EXPECT_EQ(listener_.residuals[6].reason()[3], wire::reject_reason::not_finite);
-  EXPECT_TRUE(listener_.residuals[7].reason()[4] & wire::reject_reason::range);
+  EXPECT_EQ(listener_.residuals[5].reason()[2], idl::reject_reason::not_finite);
+  EXPECT_EQ(listener_.residuals[6].reason()[3], idl::reject_reason::not_finite);
+  EXPECT_TRUE(listener_.residuals[7].reason()[4] & idl::reject_reason::range);
 
   s = good();
   send(s);
   EXPECT_EQ(send(s).samples_duplicated(), 1u);
   // A dropped sample is no error of the estimation.
-  EXPECT_NE(listener_.status.back().level(), static_cast<std::uint32_t>(wire::StatusLevel::error));
+  EXPECT_NE(listener_.status.back().level(), static_cast<std::uint32_t>(idl::StatusLevel::error));
   const EngineSensors late = good(), early = good();
   send(early);
   EXPECT_EQ(send(late).samples_reordered(), 1u);
@@ -92,7 +92,7 @@ TEST_F(BadSamplesTest, TimeJumpingBackwardsRestartsTheFilterAndSaysSo) {
   EngineSensors s = good();
   s.source_time_ns(s.source_time_ns() - 100'000'000'000);
   EXPECT_EQ(send(s).filter_restarts(), 1u);
-  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }));
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::filter_restart, true); }));
 }
 
 class BadFilesTest : public PairTest {

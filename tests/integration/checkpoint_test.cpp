@@ -25,7 +25,7 @@ class CheckpointTest : public PairTest {
   void settle() {
     ASSERT_TRUE(listener_.await(
         [&] {
-          return !listener_.health.empty() && !(listener_.health.back().flags() & wire::estimate_flag::converging);
+          return !listener_.health.empty() && !(listener_.health.back().flags() & idl::estimate_flag::converging);
         },
         seconds(40)));
     const auto written = [&] { return listener_.status.back().checkpoints_written(); };
@@ -33,7 +33,7 @@ class CheckpointTest : public PairTest {
     ASSERT_TRUE(listener_.await([&] { return written() > before + 1; }));
   }
   const HealthEvent* checkpoint_event(bool raised) const {
-    return listener_.find_event(wire::EventKind::checkpoint, raised);
+    return listener_.find_event(idl::EventKind::checkpoint, raised);
   }
   std::string checkpoint_file() const { return folder_.path("engine_1.json"); }
   TemporaryFolder folder_;
@@ -60,7 +60,7 @@ TEST_F(CheckpointTest, AKilledMonitorIsBackAtOnceWithinOneSigma) {
       "kill -9 and resume: %llu samples without a monitor; first estimate %.3f sigma from the last (asked: 1)\n",
       static_cast<unsigned long long>(after.sequence_number() - before.sequence_number() - 1), worst);
   EXPECT_LT(worst, 1.0);
-  EXPECT_FALSE(after.flags() & wire::estimate_flag::converging);
+  EXPECT_FALSE(after.flags() & idl::estimate_flag::converging);
   EXPECT_DOUBLE_EQ(after.sigma_total()[0], before.sigma_total()[0]);  // as settled as before
   ASSERT_TRUE(listener_.await([&] { return checkpoint_event(false) != nullptr; }));
   const std::string message = checkpoint_event(false)->message().c_str();
@@ -78,7 +78,7 @@ TEST_F(CheckpointTest, WithoutOneItStartsCold) {  // the negative of the test ab
   const std::size_t estimates = listener_.health.size();
   monitor = start();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 100; }));
-  EXPECT_TRUE(listener_.health.back().flags() & wire::estimate_flag::converging);
+  EXPECT_TRUE(listener_.health.back().flags() & idl::estimate_flag::converging);
   EXPECT_EQ(checkpoint_event(false), nullptr);
   EXPECT_EQ(checkpoint_event(true), nullptr);
 }
@@ -90,13 +90,13 @@ TEST_F(CheckpointTest, ADamagedOneIsNamedAndTheMonitorFlies) {
   const auto simulator = start_simulator();
   const auto refused = [&](std::uint32_t engine, const std::string& file) {
     return std::any_of(listener_.events.begin(), listener_.events.end(), [&](const HealthEvent& e) {
-      return e.kind() == static_cast<std::uint32_t>(wire::EventKind::checkpoint) && e.raised() != 0 &&
+      return e.kind() == static_cast<std::uint32_t>(idl::EventKind::checkpoint) && e.raised() != 0 &&
              e.engine_id() == engine && std::string(e.message().c_str()).find(file) != std::string::npos;
     });
   };
   ASSERT_TRUE(listener_.await([&] { return refused(1, "engine_1.json") && refused(2, "engine_2.json"); }));
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 10; }));
-  EXPECT_TRUE(listener_.health.front().flags() & wire::estimate_flag::converging);
+  EXPECT_TRUE(listener_.health.front().flags() & idl::estimate_flag::converging);
 }
 
 TEST_F(CheckpointTest, AnotherFlightOfTheSourceIsNotResumed) {

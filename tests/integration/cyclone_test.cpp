@@ -17,8 +17,8 @@ using namespace ehm::test;
 class CycloneTest : public PairTest {};
 
 TEST_F(CycloneTest, ReadsEveryTopic) {
-  wire::Writer<SimCommand> sim_commands(participant_);
-  wire::Writer<MonitorCommand> monitor_commands(participant_);
+  idl::Writer<SimCommand> sim_commands(participant_);
+  idl::Writer<MonitorCommand> monitor_commands(participant_);
   Process peer({EHM_CYCLONE_PEER, "listen", std::to_string(domain_), "8"});
   ASSERT_TRUE(listener_.await([&] { return sim_commands.matched() == 1 && monitor_commands.matched() == 1; }));
   const auto monitor = start_monitor();
@@ -26,14 +26,14 @@ TEST_F(CycloneTest, ReadsEveryTopic) {
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 50 && sim_commands.matched() == 2; }));
   SimCommand fault;  // makes an event, and is a command itself
   fault.engine_id(1);
-  fault.schema(wire::schema_version);
-  fault.kind(static_cast<std::uint32_t>(wire::SimCommandKind::sensor_fault));
+  fault.schema(idl::schema_version);
+  fault.kind(static_cast<std::uint32_t>(idl::SimCommandKind::sensor_fault));
   fault.channel(4);
-  fault.fault(static_cast<std::uint32_t>(wire::SensorFaultKind::dropout));
+  fault.fault(static_cast<std::uint32_t>(idl::SensorFaultKind::dropout));
   sim_commands.write(fault);
   MonitorCommand reset;
   reset.engine_id(99);
-  reset.schema(wire::schema_version);
+  reset.schema(idl::schema_version);
   reset.kind(1);
   monitor_commands.write(reset);
   ASSERT_EQ(peer.wait(seconds(20)), 0) << peer.log();

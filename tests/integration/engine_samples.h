@@ -24,7 +24,7 @@ class EngineSamples {
   EngineSensors next() {
     EngineSensors s;
     s.engine_id(engine_id_);
-    s.schema(wire::schema_version);
+    s.schema(idl::schema_version);
     s.source_id(source_id_);
     s.sequence_number(sequence_);
     s.source_time_ns(1'000'000'000'000 + static_cast<std::int64_t>(sequence_) * 15'000'000);

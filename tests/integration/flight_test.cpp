@@ -30,7 +30,7 @@ TEST_F(FlightTest, TwentySecondsAtRealTime) {
   const std::uint64_t sent = 1334;  // 20 s / 15 ms, the first at 0
   ASSERT_TRUE(listener_.await([&] {
     return !listener_.status.empty() &&
-           listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale);
+           listener_.status.back().level() == static_cast<std::uint32_t>(idl::StatusLevel::stale);
   }));
 
   EXPECT_EQ(listener_.truth.size(), sent);
@@ -59,7 +59,7 @@ TEST_F(FlightTest, TwentySecondsAtRealTime) {
         << i;
   }
 
-  const HealthEvent* shift = listener_.find_event(wire::EventKind::health_shift, true);
+  const HealthEvent* shift = listener_.find_event(idl::EventKind::health_shift, true);
   ASSERT_NE(shift, nullptr);
   EXPECT_STREQ(shift->channel_name().c_str(), "hpc_efficiency");
   const double delay_s = sample_time_s * static_cast<double>(shift->sequence_number()) - 10.0;
@@ -100,7 +100,7 @@ TEST_F(FlightTest, RateMaxWaitsForAMonitorByItselfAndSurvivesItsDeath) {
 TEST_F(FlightTest, ASilentSourceIsLostUnderSourceTimeToo) {
   const auto monitor = start_monitor({"--monitor-clock", "source"});
   const auto simulator = start_simulator({"--run-duration-s", "2"});
-  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::input_lost, true); }));
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::input_lost, true); }));
 }
 
 TEST_F(FlightTest, AKilledSimulatorComesBack) {
@@ -110,8 +110,8 @@ TEST_F(FlightTest, AKilledSimulatorComesBack) {
   simulator->signal(SIGKILL);
   EXPECT_EQ(simulator->wait(seconds(5)), 128 + SIGKILL);
   // Input gone: said within a few periods, and no estimate is invented afterwards.
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::input_lost, true); }));
-  const HealthEvent* lost = listener_.find_event(wire::EventKind::input_lost, true);
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::input_lost, true); }));
+  const HealthEvent* lost = listener_.find_event(idl::EventKind::input_lost, true);
   EXPECT_GT(lost->value(), lost->threshold());
   EXPECT_DOUBLE_EQ(lost->threshold(), 3 * sample_time_s);
   const std::size_t estimates = listener_.health.size();
@@ -120,10 +120,10 @@ TEST_F(FlightTest, AKilledSimulatorComesBack) {
 
   simulator = start_simulator();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 100; }));
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::input_lost, false));
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::filter_restart, true));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::input_lost, false));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::filter_restart, true));
   EXPECT_EQ(listener_.health[estimates].sequence_number(), 0u);  // nothing of the old flight was left
-  EXPECT_TRUE(listener_.health[estimates].flags() & wire::estimate_flag::converging);
+  EXPECT_TRUE(listener_.health[estimates].flags() & idl::estimate_flag::converging);
   ASSERT_TRUE(listener_.await([&] { return listener_.status.back().filter_restarts() == 1; }));
   EXPECT_EQ(listener_.status.back().samples_lost(), 0u);
   EXPECT_EQ(listener_.status.back().samples_received(), listener_.status.back().samples_processed());
@@ -140,7 +140,7 @@ TEST_F(FlightTest, AKilledMonitorComesBack) {
   monitor = start_monitor();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 100; }));
   EXPECT_GT(listener_.health[estimates + 5].sequence_number(), sensor_at_kill);
-  EXPECT_TRUE(listener_.health[estimates + 5].flags() & wire::estimate_flag::converging);
+  EXPECT_TRUE(listener_.health[estimates + 5].flags() & idl::estimate_flag::converging);
   // The new monitor counts from its own first sample: what passed before it was there is not its loss.
   listener_.status.clear();
   ASSERT_TRUE(listener_.await([&] { return !listener_.status.empty(); }));
@@ -155,7 +155,7 @@ TEST_F(FlightTest, AnOrderedStopSaysSo) {
   monitor->signal(SIGTERM);
   ASSERT_TRUE(listener_.await([&] {
     return !listener_.status.empty() &&
-           listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stopped);
+           listener_.status.back().level() == static_cast<std::uint32_t>(idl::StatusLevel::stopped);
   }));
   EXPECT_EQ(monitor->wait(seconds(5)), 0);
   simulator->signal(SIGINT);
@@ -174,7 +174,7 @@ TEST_F(FlightTest, OneMonitorServesSeveralEngines) {
   EXPECT_TRUE(listener_.await([&] { return estimates(1) == 200 && estimates(2) == 200; }));
   const auto described = [&](std::uint32_t engine) {
     return std::any_of(listener_.descriptions.begin(), listener_.descriptions.end(), [&](const auto& d) {
-      return d.engine_id() == engine && d.role() == static_cast<std::uint32_t>(wire::DescriptionRole::monitor) &&
+      return d.engine_id() == engine && d.role() == static_cast<std::uint32_t>(idl::DescriptionRole::monitor) &&
              d.health_count() == 10 && d.design_hash().size() == 64;
     });
   };
@@ -185,29 +185,29 @@ TEST_F(FlightTest, OneMonitorServesSeveralEngines) {
 TEST_F(FlightTest, CommandsReachBothServices) {
   const auto monitor = start_monitor();
   const auto simulator = start_simulator();
-  wire::Writer<SimCommand> sim_commands(participant_);
-  wire::Writer<MonitorCommand> monitor_commands(participant_);
+  idl::Writer<SimCommand> sim_commands(participant_);
+  idl::Writer<MonitorCommand> monitor_commands(participant_);
   ASSERT_TRUE(listener_.await(
       [&] { return listener_.health.size() > 20 && sim_commands.matched() == 1 && monitor_commands.matched() == 1; }));
 
   SimCommand fault;
   fault.engine_id(1);
-  fault.schema(wire::schema_version);
-  fault.kind(static_cast<std::uint32_t>(wire::SimCommandKind::sensor_fault));
+  fault.schema(idl::schema_version);
+  fault.kind(static_cast<std::uint32_t>(idl::SimCommandKind::sensor_fault));
   fault.channel(5);
-  fault.fault(static_cast<std::uint32_t>(wire::SensorFaultKind::dropout));
+  fault.fault(static_cast<std::uint32_t>(idl::SensorFaultKind::dropout));
   sim_commands.write(fault);
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::sensor_fault, true); }));
-  EXPECT_STREQ(listener_.find_event(wire::EventKind::sensor_fault, true)->channel_name().c_str(), "T30");
-  ASSERT_TRUE(listener_.await([&] { return listener_.health.back().flags() & wire::estimate_flag::degraded; }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::sensor_fault, true); }));
+  EXPECT_STREQ(listener_.find_event(idl::EventKind::sensor_fault, true)->channel_name().c_str(), "T30");
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.back().flags() & idl::estimate_flag::degraded; }));
   EXPECT_FALSE(listener_.health.back().sensors_used() >> 5 & 1u);
 
   MonitorCommand reset;
   reset.engine_id(1);
-  reset.schema(wire::schema_version);
-  reset.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+  reset.schema(idl::schema_version);
+  reset.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
   monitor_commands.write(reset);
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::filter_restart, true); }));
 }
 
 }  // namespace

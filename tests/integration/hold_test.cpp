@@ -34,7 +34,7 @@ TEST_F(HoldTest, AMonitorThatWasStoppedForLongerThanTheLeaseJoinsAnew) {
   hold(*monitor, &Listener::monitors);
   EXPECT_TRUE(estimates_flow()) << monitor->log();
   EXPECT_THAT(monitor->log(), testing::HasSubstr("held up for"));
-  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::held_up, false); }));
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::held_up, false); }));
   monitor->signal(SIGTERM);
   EXPECT_EQ(monitor->wait(seconds(5)), 0) << monitor->log();
 }

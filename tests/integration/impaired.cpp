@@ -52,7 +52,7 @@ void ImpairedTest::fly(double duration_s, const std::vector<std::string>& impair
   ASSERT_TRUE(source_listener_.await([&] {
     listener_.await([] { return true; });
     return !listener_.status.empty() && !listener_.sensors.empty() &&
-           status().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale) && status().age_s() > 0.3 &&
+           status().level() == static_cast<std::uint32_t>(idl::StatusLevel::stale) && status().age_s() > 0.3 &&
            status().samples_received() >= listener_.sensors.size();
   }));
   impair.signal(SIGTERM);

@@ -28,7 +28,7 @@ class ImpairedTest : public PairTest {
   void expect_all_accounted_for() const;
 
   std::uint32_t source_domain_;
-  wire::Participant source_participant_;
+  idl::Participant source_participant_;
   Listener source_listener_;
   std::unique_ptr<Process> monitor_;
 

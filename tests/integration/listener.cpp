@@ -5,14 +5,14 @@ namespace ehm::test {
 namespace {
 
 template <class T>
-void take(wire::Reader<T>& reader, std::vector<T>& into) {
+void take(idl::Reader<T>& reader, std::vector<T>& into) {
   T sample;
   while (reader.take(sample)) into.push_back(sample);
 }
 
 }  // namespace
 
-Listener::Listener(wire::Participant& participant)
+Listener::Listener(idl::Participant& participant)
     : sensors_(participant),
       health_(participant),
       auxiliary_(participant),
@@ -50,7 +50,7 @@ bool Listener::await(const std::function<bool()>& condition, std::chrono::second
   }
 }
 
-const HealthEvent* Listener::find_event(wire::EventKind kind, bool raised) const {
+const HealthEvent* Listener::find_event(idl::EventKind kind, bool raised) const {
   for (const auto& e : events)
     if (e.kind() == static_cast<std::uint32_t>(kind) && (e.raised() != 0) == raised) return &e;
   return nullptr;

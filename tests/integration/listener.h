@@ -16,7 +16,7 @@ namespace ehm::test {
 
 class Listener {
  public:
-  explicit Listener(wire::Participant& participant);
+  explicit Listener(idl::Participant& participant);
 
   /// Takes what arrives until the condition holds; false when the limit passes first.
   bool await(const std::function<bool()>& condition, std::chrono::seconds limit = std::chrono::seconds(20));
@@ -33,19 +33,19 @@ class Listener {
   int sources() const { return sensors_.matched(); }  ///< writers of EngineSensors that are known at present
   int monitors() const { return health_.matched(); }
 
-  bool has_event(wire::EventKind kind, bool raised) const { return find_event(kind, raised) != nullptr; }
-  const HealthEvent* find_event(wire::EventKind kind, bool raised) const;
+  bool has_event(idl::EventKind kind, bool raised) const { return find_event(kind, raised) != nullptr; }
+  const HealthEvent* find_event(idl::EventKind kind, bool raised) const;
 
  private:
   void take_all();
-  wire::Reader<EngineSensors> sensors_;
-  wire::Reader<EngineHealth> health_;
-  wire::Reader<EngineAuxiliary> auxiliary_;
-  wire::Reader<EngineResiduals> residuals_;
-  wire::Reader<EngineTruth> truth_;
-  wire::Reader<EngineDescription> descriptions_;
-  wire::Reader<MonitorStatus> status_;
-  wire::Reader<HealthEvent> events_;
+  idl::Reader<EngineSensors> sensors_;
+  idl::Reader<EngineHealth> health_;
+  idl::Reader<EngineAuxiliary> auxiliary_;
+  idl::Reader<EngineResiduals> residuals_;
+  idl::Reader<EngineTruth> truth_;
+  idl::Reader<EngineDescription> descriptions_;
+  idl::Reader<MonitorStatus> status_;
+  idl::Reader<HealthEvent> events_;
   eprosima::fastdds::dds::WaitSet wait_set_;
 };
 

@@ -64,10 +64,10 @@ TEST_F(LogReaderTest, WhoStopsReadingHoldsUpNeitherFlightNorEventsNorTheStop) {
   expect_flight(*monitor, *simulator);
   simulator->signal(SIGTERM);
   EXPECT_EQ(simulator->wait(seconds(4)), 0);
-  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::input_lost, true); }));
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::input_lost, true); }));
   monitor->signal(SIGTERM);
   EXPECT_TRUE(listener_.await(
-      [&] { return listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stopped); }));
+      [&] { return listener_.status.back().level() == static_cast<std::uint32_t>(idl::StatusLevel::stopped); }));
   EXPECT_EQ(monitor->wait(seconds(4)), 0);
 }
 
@@ -77,12 +77,12 @@ TEST_F(LogReaderTest, WhoGoesAwayEndsNobody) {
   expect_flight(*monitor, *simulator);
   gone();
   MonitorCommand reset;  // something to say
-  reset.schema(wire::schema_version);
-  reset.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
-  wire::Writer<MonitorCommand> commands(participant_);
+  reset.schema(idl::schema_version);
+  reset.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
+  idl::Writer<MonitorCommand> commands(participant_);
   ASSERT_TRUE(listener_.await([&] { return commands.matched() > 0; }));
   commands.write(reset);
-  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }));
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::filter_restart, true); }));
   expect_flight(*monitor, *simulator);
   monitor->signal(SIGTERM);
   EXPECT_EQ(monitor->wait(seconds(4)), 0);

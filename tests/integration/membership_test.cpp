@@ -36,8 +36,8 @@ class MembershipTest : public PairTest {
   MonitorCommand reset(std::uint32_t engine, std::uint32_t request) const {
     MonitorCommand command;
     command.engine_id(engine);
-    command.schema(wire::schema_version);
-    command.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+    command.schema(idl::schema_version);
+    command.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
     command.request(request);
     return command;
   }
@@ -52,9 +52,9 @@ class MembershipTest : public PairTest {
   }
 
   std::unique_ptr<Process> monitor_;
-  wire::Writer<EngineSensors> writer_{participant_};
-  wire::Writer<MonitorCommand> commands_{participant_};
-  wire::Reader<CommandReply> replies_{participant_};
+  idl::Writer<EngineSensors> writer_{participant_};
+  idl::Writer<MonitorCommand> commands_{participant_};
+  idl::Reader<CommandReply> replies_{participant_};
   std::map<std::uint32_t, CommandReply> answers_;  ///< by request
 };
 
@@ -82,20 +82,20 @@ TEST_F(MembershipTest, AnEngineThatIsSilentForLongGivesItsFilterBack) {
   ASSERT_TRUE(send_until(one, [&] { return estimated(1); }));
   writer_.write(two.next());
   EXPECT_TRUE(listener_.await([&] { return status().unknown_engine_samples() == 1; }));
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::engine_left, true); }));
-  EXPECT_EQ(listener_.find_event(wire::EventKind::engine_left, true)->engine_id(), 1u);
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::input_lost, false)) << "what it had raised ends with it";
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::engine_left, true); }));
+  EXPECT_EQ(listener_.find_event(idl::EventKind::engine_left, true)->engine_id(), 1u);
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::input_lost, false)) << "what it had raised ends with it";
   ASSERT_TRUE(send_until(two, [&] { return estimated(2); }));
   // The first is back when the second has gone, from a cold start and with counters of its own.
   ASSERT_TRUE(listener_.await([&] {
     return std::count_if(listener_.events.begin(), listener_.events.end(), [](const HealthEvent& e) {
-             return e.kind() == static_cast<std::uint32_t>(wire::EventKind::engine_left) && e.raised() == 1;
+             return e.kind() == static_cast<std::uint32_t>(idl::EventKind::engine_left) && e.raised() == 1;
            }) == 2;
   }));
   listener_.health.clear();
   ASSERT_TRUE(send_until(one, [&] { return estimated(1); }));
-  EXPECT_TRUE(listener_.health.front().flags() & wire::estimate_flag::converging);
-  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::engine_left, false); }));
+  EXPECT_TRUE(listener_.health.front().flags() & idl::estimate_flag::converging);
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::engine_left, false); }));
 }
 
 TEST_F(MembershipTest, ANamedEngineKeepsItsFilter) {
@@ -106,15 +106,15 @@ TEST_F(MembershipTest, ANamedEngineKeepsItsFilter) {
   EngineSamples one(design_file(), 1);
   ASSERT_TRUE(send_until(one, [&] { return estimated(1); }));
   ASSERT_TRUE(listener_.await([&] { return status().age_s() > 1.0; }));
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::engine_left, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::engine_left, true));
 }
 
 TEST_F(MembershipTest, KeysAreBounded) {
   // A reader of its own: what it keeps is what the monitor's keeps.
-  wire::Participant elsewhere(options(domain_));
-  wire::Reader<EngineSensors> reader(elsewhere);
-  wire::Participant strangers(options(domain_));
-  wire::Writer<EngineSensors> stranger(strangers);
+  idl::Participant elsewhere(options(domain_));
+  idl::Reader<EngineSensors> reader(elsewhere);
+  idl::Participant strangers(options(domain_));
+  idl::Writer<EngineSensors> stranger(strangers);
   ASSERT_TRUE(listener_.await([&] { return stranger.matched() == 2 && writer_.matched() == 2; }));
   std::set<std::uint32_t> heard;
   EngineSensors sample;
@@ -146,10 +146,10 @@ TEST_F(MembershipTest, AFloodOfResetsIsRefusedAndAnswered) {
   const auto refused = reply(20);
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->accepted(), 0u);
-  EXPECT_EQ(refused->role(), static_cast<std::uint32_t>(wire::DescriptionRole::monitor));
+  EXPECT_EQ(refused->role(), static_cast<std::uint32_t>(idl::DescriptionRole::monitor));
   EXPECT_STREQ(refused->message().c_str(), "1 of 1 engines were reset less than 2 s ago");
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::command_flood, true); }));
-  ASSERT_TRUE(send_until(one, [&] { return status().level() == static_cast<std::uint32_t>(wire::StatusLevel::warn); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::command_flood, true); }));
+  ASSERT_TRUE(send_until(one, [&] { return status().level() == static_cast<std::uint32_t>(idl::StatusLevel::warn); }));
   EXPECT_EQ(status().filter_restarts(), 1u);
 }
 
@@ -170,13 +170,13 @@ TEST_F(MembershipTest, AnOrderThatCannotBeCarriedOutIsAnswered) {
 TEST_F(MembershipTest, TwoMonitorsWithOneIdentityAreNoticedByBoth) {
   start({});
   auto second = start_monitor({"--metrics-listen", ""});
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::second_monitor, true); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::second_monitor, true); }));
   EXPECT_TRUE(listener_.await([&] {
     return second->log().find("another monitor of this domain has monitor.source_id = 101 too") != std::string::npos;
   }));
   second->signal(SIGTERM);
   EXPECT_EQ(second->wait(seconds(5)), 0);
-  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::second_monitor, false); }));
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::second_monitor, false); }));
 }
 
 TEST_F(MembershipTest, WithoutDescriptorsTheMonitorSaysSoAndDoesNotStart) {

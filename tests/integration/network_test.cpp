@@ -36,7 +36,7 @@ TEST_F(NetworkTest, AFifthLostAndFiftyMillisecondsOfJitter) {
   EXPECT_GT(status().samples_processed(), impaired("received") / 4);
   EXPECT_EQ(status().filter_restarts(), 0u);
   EXPECT_EQ(status().samples_withheld(), 0u);
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::sensor_fault, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::sensor_fault, true));
   EXPECT_LT(worst_deviation(0.0), 3.0);
   const auto& s = status();
   std::printf(
@@ -58,9 +58,9 @@ TEST_F(NetworkTest, BurstsDuplicatesAndOvertaking) {
   EXPECT_EQ(status().samples_lost(), status().samples_reordered());  // none vanished, all that is missing came late
   EXPECT_EQ(status().filter_restarts(), 0u);
   // The pause is said, its end too, and what was held is estimated after it.
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::input_lost, true));
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::input_lost, false));
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::sensor_fault, true));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::input_lost, true));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::input_lost, false));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::sensor_fault, true));
   EXPECT_LT(worst_deviation(0.0), 3.0);
 }
 
@@ -70,8 +70,8 @@ TEST_F(NetworkTest, TheSourcesClockJumps) {
   expect_all_accounted_for();
   EXPECT_EQ(status().samples_processed(), impaired("received"));  // no jump costs an estimate
   EXPECT_EQ(status().filter_restarts(), 2u);                      // half a second is none, 99.5 s ahead, 100 s back
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::sample_time, true));
-  const HealthEvent* restart = listener_.find_event(wire::EventKind::filter_restart, true);
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::sample_time, true));
+  const HealthEvent* restart = listener_.find_event(idl::EventKind::filter_restart, true);
   ASSERT_NE(restart, nullptr);
   EXPECT_NEAR(restart->value(), 99.5, 0.5);
 }
@@ -98,7 +98,7 @@ TEST_F(NetworkTest, OurOwnWallClockJumps) {
   step(-7200.0);
   ASSERT_TRUE(heard(300));
   ASSERT_TRUE(listener_.await(
-      [&] { return listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale); }));
+      [&] { return listener_.status.back().level() == static_cast<std::uint32_t>(idl::StatusLevel::stale); }));
   EXPECT_EQ(status().samples_processed(), 300u);
   EXPECT_EQ(status().filter_restarts(), 0u);
   // An hour in either direction is neither a latency nor an age. (Minutes of margin: machines pause.)

@@ -19,8 +19,8 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
 
 }  // namespace
 
-wire::ParticipantOptions PairTest::options(std::uint32_t domain) {
-  wire::ParticipantOptions o;
+idl::ParticipantOptions PairTest::options(std::uint32_t domain) {
+  idl::ParticipantOptions o;
   o.domain = domain;
   o.name = "test";
   return o;

@@ -28,10 +28,10 @@ class PairTest : public testing::Test {
   static std::string design_file();
   /// Writes a file that is gone with the test.
   std::string file(const std::string& name, const std::string& text) const;
-  static wire::ParticipantOptions options(std::uint32_t domain);
+  static idl::ParticipantOptions options(std::uint32_t domain);
 
   std::uint32_t domain_;
-  wire::Participant participant_;
+  idl::Participant participant_;
   Listener listener_;
 };
 

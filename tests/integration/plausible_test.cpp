@@ -18,8 +18,8 @@ class PlausibleTest : public PairTest {
     monitor_ = start_monitor({"--monitor-status-period-s", "0.1"});
     simulator_ = start_simulator({"--rate", "max", "--run-duration-s", seconds}, file("faults.toml", scenario));
   }
-  const HealthEvent* event(wire::EventKind kind) const { return listener_.find_event(kind, true); }
-  bool level(wire::StatusLevel wanted) const {
+  const HealthEvent* event(idl::EventKind kind) const { return listener_.find_event(kind, true); }
+  bool level(idl::StatusLevel wanted) const {
     return !listener_.status.empty() && listener_.status.back().level() == static_cast<std::uint32_t>(wanted);
   }
   std::unique_ptr<Process> monitor_, simulator_;
@@ -28,13 +28,13 @@ class PlausibleTest : public PairTest {
 // T30 reads 30 K too much from the first sample on: hpc_efficiency is then 28 published sigmas off.
 TEST_F(PlausibleTest, ABiasFromTheFirstSampleIsWarnedOf) {
   fly({{"T30", "bias", "30.0"}}, "60");
-  ASSERT_TRUE(listener_.await([&] { return event(wire::EventKind::implausible); }));
-  EXPECT_STREQ(event(wire::EventKind::implausible)->channel_name().c_str(), "hpc_efficiency");
-  EXPECT_TRUE(listener_.await([&] { return level(wire::StatusLevel::warn); }));
-  ASSERT_TRUE(listener_.await([&] { return event(wire::EventKind::slow_bias); }));
-  EXPECT_STREQ(event(wire::EventKind::slow_bias)->channel_name().c_str(), "T30");
-  EXPECT_NEAR(event(wire::EventKind::slow_bias)->value(), 30.0, 6.0);
-  EXPECT_TRUE(listener_.health.back().flags() & wire::estimate_flag::implausible);
+  ASSERT_TRUE(listener_.await([&] { return event(idl::EventKind::implausible); }));
+  EXPECT_STREQ(event(idl::EventKind::implausible)->channel_name().c_str(), "hpc_efficiency");
+  EXPECT_TRUE(listener_.await([&] { return level(idl::StatusLevel::warn); }));
+  ASSERT_TRUE(listener_.await([&] { return event(idl::EventKind::slow_bias); }));
+  EXPECT_STREQ(event(idl::EventKind::slow_bias)->channel_name().c_str(), "T30");
+  EXPECT_NEAR(event(idl::EventKind::slow_bias)->value(), 30.0, 6.0);
+  EXPECT_TRUE(listener_.health.back().flags() & idl::estimate_flag::implausible);
 }
 
 TEST_F(PlausibleTest, ADriftOfAllSensorsIsWarnedOfAndThenWithheld) {
@@ -45,8 +45,8 @@ TEST_F(PlausibleTest, ADriftOfAllSensorsIsWarnedOfAndThenWithheld) {
        {"Nf", "drift", "9.0"},
        {"Nc", "drift", "20.0"}},
       "200");
-  ASSERT_TRUE(listener_.await([&] { return event(wire::EventKind::unlikely_engine); }));
-  EXPECT_TRUE(listener_.await([&] { return level(wire::StatusLevel::error); }));
+  ASSERT_TRUE(listener_.await([&] { return event(idl::EventKind::unlikely_engine); }));
+  EXPECT_TRUE(listener_.await([&] { return level(idl::StatusLevel::error); }));
   EXPECT_TRUE(listener_.await([&] { return listener_.status.back().samples_withheld() > 100; }));
 }
 

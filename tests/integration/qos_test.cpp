@@ -13,21 +13,21 @@ class QosTest : public PairTest {};
 
 TEST_F(QosTest, PartitionsDivideAFleet) {
   const auto monitor = start_monitor({"--dds-partition", "fleet/a"});
-  wire::ParticipantOptions a = options(domain_), b = options(domain_);
+  idl::ParticipantOptions a = options(domain_), b = options(domain_);
   a.partition = "fleet/a";
   b.partition = "fleet/b";
-  wire::Participant in_a(a), in_b(b);
-  wire::Writer<EngineSensors> writer_a(in_a), writer_b(in_b);
+  idl::Participant in_a(a), in_b(b);
+  idl::Writer<EngineSensors> writer_a(in_a), writer_b(in_b);
   ASSERT_TRUE(listener_.await([&] { return writer_a.matched() == 1; }));
   EXPECT_EQ(writer_b.matched(), 0);  // discovered in the same breath, and not matched
 }
 
 TEST_F(QosTest, ExclusiveOwnershipMustBeAskedForAndIsReported) {
   const auto monitor = start_monitor({"--dds-ownership", "exclusive", "--dds-ownership-strength", "2"});
-  wire::ParticipantOptions redundant = options(domain_);
+  idl::ParticipantOptions redundant = options(domain_);
   redundant.redundancy.exclusive = true;
-  wire::Participant asks(redundant);
-  wire::Reader<EngineHealth> reader(asks);
+  idl::Participant asks(redundant);
+  idl::Reader<EngineHealth> reader(asks);
   ASSERT_TRUE(listener_.await([&] { return reader.matched() == 2; }));  // a writer for each rank
   // The listener of this fixture asks for shared ownership; the monitor says that it cannot be served.
   ASSERT_TRUE(listener_.await([&] {

@@ -27,14 +27,14 @@ class ReloadTest : public PairTest {
   HealthEvent reload() {
     const auto count = [&] {
       return std::count_if(listener_.events.begin(), listener_.events.end(), [](const HealthEvent& e) {
-        return e.kind() == static_cast<std::uint32_t>(wire::EventKind::configuration);
+        return e.kind() == static_cast<std::uint32_t>(idl::EventKind::configuration);
       });
     };
     const auto before = count();
     monitor_->signal(SIGHUP);
     EXPECT_TRUE(listener_.await([&] { return count() > before; })) << monitor_->log();
     return *std::find_if(listener_.events.rbegin(), listener_.events.rend(), [](const HealthEvent& e) {
-      return e.kind() == static_cast<std::uint32_t>(wire::EventKind::configuration);
+      return e.kind() == static_cast<std::uint32_t>(idl::EventKind::configuration);
     });
   }
   std::uint64_t restarts() {
@@ -65,9 +65,9 @@ TEST_F(ReloadTest, ChangedOptionsStartTheFilterAnewAndSaySo) {
   fly();
   configure("[checks]\ngate_sigma = 6.0\n");
   EXPECT_EQ(reload().raised(), 0u);
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::filter_restart, true); }));
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 300; }));
-  EXPECT_TRUE(listener_.health.back().flags() & wire::estimate_flag::converging);
+  EXPECT_TRUE(listener_.health.back().flags() & idl::estimate_flag::converging);
   EXPECT_GT(listener_.status.back().samples_received(), 100u);  // it goes on counting
   expect_no_gap();
 }

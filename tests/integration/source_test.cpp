@@ -31,7 +31,7 @@ TEST_F(SourceTest, TheFirstOfTwoSimulatorsIsFollowedUntilItIsSilent) {
   EXPECT_EQ(status().filter_restarts(), 0u);
   EXPECT_EQ(status().samples_lost(), 0u);
   EXPECT_EQ(status().samples_received(), status().samples_processed() + status().samples_foreign());
-  const HealthEvent* said = listener_.find_event(wire::EventKind::second_source, true);
+  const HealthEvent* said = listener_.find_event(idl::EventKind::second_source, true);
   ASSERT_NE(said, nullptr);
   EXPECT_TRUE(logs(*monitor, "another writer also sends samples of this engine as source 1; the first is listened to"))
       << monitor->log();
@@ -39,8 +39,8 @@ TEST_F(SourceTest, TheFirstOfTwoSimulatorsIsFollowedUntilItIsSilent) {
   const std::size_t estimates = listener_.health.size();
   first->signal(SIGKILL);
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 100; }));
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::second_source, false));
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::input_lost, true));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::second_source, false));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::input_lost, true));
   const std::uint64_t foreign = status().samples_foreign();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > estimates + 200; }));
   EXPECT_EQ(status().samples_foreign(), foreign);  // the second is the one that is followed now
@@ -57,7 +57,7 @@ TEST_F(SourceTest, OnlyTheNamedSourceIsFollowedHoweverLongItIsSilent) {
   // Once, however often the silent engine was looked at.
   const auto raised = [&] {
     return std::count_if(listener_.events.begin(), listener_.events.end(), [](const HealthEvent& e) {
-      return e.kind() == static_cast<std::uint32_t>(wire::EventKind::second_source) && e.raised();
+      return e.kind() == static_cast<std::uint32_t>(idl::EventKind::second_source) && e.raised();
     });
   };
   EXPECT_EQ(raised(), 1);
@@ -65,7 +65,7 @@ TEST_F(SourceTest, OnlyTheNamedSourceIsFollowedHoweverLongItIsSilent) {
   named->signal(SIGKILL);
   const std::uint64_t foreign = status().samples_foreign();
   ASSERT_TRUE(listener_.await([&] { return status().samples_foreign() > foreign + 100; }));
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::input_lost, true));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::input_lost, true));
   const std::size_t estimates = listener_.health.size();
   ASSERT_TRUE(listener_.await([&] { return status().samples_foreign() > foreign + 200; }));
   EXPECT_EQ(listener_.health.size(), estimates);
@@ -77,25 +77,25 @@ TEST_F(SourceTest, DeadlineAndLivelinessAreWatchedWhereAskedFor) {
       start_monitor({"--dds-input-deadline-s", "0.1", "--dds-input-lease-s", "1", "--monitor-status-period-s", "0.1"});
   const auto simulator = start_simulator();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 20; }));
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::input_liveliness, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::input_liveliness, true));
   simulator->signal(SIGSTOP);
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::input_deadline, true); }));
-  EXPECT_EQ(listener_.find_event(wire::EventKind::input_deadline, true)->engine_id(), 1u);
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::input_liveliness, true); }));
-  EXPECT_EQ(listener_.find_event(wire::EventKind::input_liveliness, true)->engine_id(), 0u);  // a matter of the writer
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::input_deadline, true); }));
+  EXPECT_EQ(listener_.find_event(idl::EventKind::input_deadline, true)->engine_id(), 1u);
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::input_liveliness, true); }));
+  EXPECT_EQ(listener_.find_event(idl::EventKind::input_liveliness, true)->engine_id(), 0u);  // a matter of the writer
   ASSERT_TRUE(listener_.await([&] { return status().input_liveliness_losses() == 1; }));
   EXPECT_GE(status().input_deadline_misses(), 1u);
   simulator->signal(SIGCONT);
   EXPECT_TRUE(listener_.await([&] {
-    return listener_.has_event(wire::EventKind::input_deadline, false) &&
-           listener_.has_event(wire::EventKind::input_liveliness, false);
+    return listener_.has_event(idl::EventKind::input_deadline, false) &&
+           listener_.has_event(idl::EventKind::input_liveliness, false);
   }));
 }
 
 /// A writer as a foreign vendor's defaults make it: no deadline, no lease.
 class PlainWriter {
  public:
-  explicit PlainWriter(wire::Participant& participant) : publisher_(participant.publisher()) {
+  explicit PlainWriter(idl::Participant& participant) : publisher_(participant.publisher()) {
     auto* topic =
         participant.topic("EngineSensors", eprosima::fastdds::dds::TypeSupport(new EngineSensorsPubSubType()));
     writer_ = publisher_->create_datawriter(topic, eprosima::fastdds::dds::DATAWRITER_QOS_DEFAULT);
@@ -118,14 +118,14 @@ TEST_F(SourceTest, APlainWriterIsHeardByDefault) {
   const PlainWriter writer(participant_);
   const auto monitor = start_monitor();
   EXPECT_TRUE(listener_.await([&] { return writer.matched() == 2; }));
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::incompatible_qos, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::incompatible_qos, true));
 }
 
 TEST_F(SourceTest, AWriterThatDoesNotOfferWhatIsAskedForIsExcludedAndThePolicyNamed) {
   const PlainWriter writer(participant_);
   const auto monitor = start_monitor({"--dds-input-deadline-s", "0.1"});
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::incompatible_qos, true); }));
-  const HealthEvent* event = listener_.find_event(wire::EventKind::incompatible_qos, true);
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::incompatible_qos, true); }));
+  const HealthEvent* event = listener_.find_event(idl::EventKind::incompatible_qos, true);
   EXPECT_EQ(event->engine_id(), 0u);
   EXPECT_STREQ(event->message().c_str(),
                "topic EngineSensors: a remote writer and this one exclude each other by QoS deadline; no data flows "
@@ -152,10 +152,10 @@ TEST_F(SourceTest, MessagesThatAreNotOfTheTypeDoNotEndTheMonitor) {
   const auto simulator = start_simulator();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 50; }));
   {
-    wire::Participant stranger(options(domain_));
+    idl::Participant stranger(options(domain_));
     auto* topic = stranger.topic("EngineSensors", eprosima::fastdds::dds::TypeSupport(new GarbledType()));
     auto* writer = stranger.publisher()->create_datawriter(
-        topic, wire::writer_qos(wire::Delivery::stream, false, wire::Redundancy{}));
+        topic, idl::writer_qos(idl::Delivery::stream, false, idl::Redundancy{}));
     eprosima::fastdds::dds::PublicationMatchedStatus matched;
     ASSERT_TRUE(listener_.await([&] {
       writer->get_publication_matched_status(matched);
@@ -177,10 +177,10 @@ TEST_F(SourceTest, MessagesThatAreNotOfTheTypePushNoSampleOutWhileTheCycleIsHeld
   const auto monitor = start_monitor({"--monitor-status-period-s", "0.1"});
   const auto simulator = start_simulator();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 50; }));
-  wire::Participant stranger(options(domain_));
+  idl::Participant stranger(options(domain_));
   auto* topic = stranger.topic("EngineSensors", eprosima::fastdds::dds::TypeSupport(new GarbledType()));
-  auto* writer = stranger.publisher()->create_datawriter(
-      topic, wire::writer_qos(wire::Delivery::stream, false, wire::Redundancy{}));
+  auto* writer =
+      stranger.publisher()->create_datawriter(topic, idl::writer_qos(idl::Delivery::stream, false, idl::Redundancy{}));
   eprosima::fastdds::dds::PublicationMatchedStatus matched;
   ASSERT_TRUE(listener_.await([&] {
     writer->get_publication_matched_status(matched);
@@ -224,8 +224,7 @@ TEST_F(SourceTest, AFloodOfBadSamplesDoesNotDisturbTheSource) {
   EXPECT_EQ(hostile.wait(seconds(1)), 0) << hostile.log();
   simulator->signal(SIGINT);
   EXPECT_EQ(simulator->wait(seconds(5)), 0);
-  ASSERT_TRUE(
-      listener_.await([&] { return status().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale); }));
+  ASSERT_TRUE(listener_.await([&] { return status().level() == static_cast<std::uint32_t>(idl::StatusLevel::stale); }));
 
   const MonitorStatus& s = status();
   EXPECT_EQ(s.samples_processed(), listener_.truth.size());  // one truth for each sample of the simulator
@@ -235,7 +234,7 @@ TEST_F(SourceTest, AFloodOfBadSamplesDoesNotDisturbTheSource) {
   EXPECT_GT(s.unknown_engine_samples(), 20u);
   EXPECT_EQ(s.samples_received(), s.samples_processed() + s.samples_foreign() + s.samples_malformed());
   EXPECT_EQ(s.samples_lost() + s.samples_withheld() + s.filter_restarts(), 0u);
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::sensor_fault, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::sensor_fault, true));
   EXPECT_TRUE(logs(*monitor, "a sample of source 666 cannot be used: schema")) << monitor->log();
 }
 

@@ -45,7 +45,7 @@ class StandbyTest : public PairTest {
  protected:
   StandbyTest() : redundant_participant_(redundant(options(domain_))), reader_(redundant_participant_) {}
 
-  static wire::ParticipantOptions redundant(wire::ParticipantOptions o) {
+  static idl::ParticipantOptions redundant(idl::ParticipantOptions o) {
     o.redundancy.exclusive = true;
     return o;
   }
@@ -88,7 +88,7 @@ class StandbyTest : public PairTest {
   bool hot(const Member& m, std::int64_t since_ns) const {
     return std::any_of(listener_.status.rbegin(), listener_.status.rend(), [&](const MonitorStatus& s) {
       return s.source_id() == m.source_id && s.status_time_ns() > since_ns && s.samples_processed() > 0 &&
-             s.checkpoints_written() > 0 && !(s.flags() & wire::estimate_flag::converging);
+             s.checkpoints_written() > 0 && !(s.flags() & idl::estimate_flag::converging);
     });
   }
   /// Both are hot, and one of them is heard.
@@ -117,8 +117,8 @@ class StandbyTest : public PairTest {
     return count;
   }
 
-  wire::Participant redundant_participant_;
-  wire::Reader<EngineHealth> reader_;
+  idl::Participant redundant_participant_;
+  idl::Reader<EngineHealth> reader_;
   std::vector<Seen> seen_;
   Member first_{first_id, "20", {}, {}}, second_{second_id, "10", {}, {}};
   std::unique_ptr<Process> simulator_;

@@ -31,7 +31,7 @@ TEST_F(StopTest, FiftyEnginesAreKept) {
   const auto monitor = start_monitor({"--checkpoint-directory", folder_.path(), "--checkpoint-period-s", "3600",
                                       "--monitor-max-engines", "50", "--metrics-listen", ""});
   const auto simulator = start_simulator({"--run-duration-s", "2"});
-  wire::Writer<EngineSensors> writer(participant_);
+  idl::Writer<EngineSensors> writer(participant_);
   ASSERT_TRUE(listener_.await([&] { return !listener_.sensors.empty() && writer.matched() == 2; }));
   // 49 more engines: the same samples under other numbers.
   std::size_t copied = 0;
@@ -56,21 +56,21 @@ TEST_F(StopTest, FiftyEnginesAreKept) {
   EXPECT_EQ(files, 50u);
   EXPECT_TRUE(listener_.await([&] {
     return std::count_if(listener_.status.begin(), listener_.status.end(), [](const MonitorStatus& s) {
-             return s.level() == static_cast<std::uint32_t>(wire::StatusLevel::stopped);
+             return s.level() == static_cast<std::uint32_t>(idl::StatusLevel::stopped);
            }) == 50;
   }));
 }
 
 TEST_F(StopTest, ReadersSeeTheEstimatesEnd) {
   namespace dds = eprosima::fastdds::dds;
-  using HealthTopic = wire::Topic<EngineHealth>;
+  using HealthTopic = idl::Topic<EngineHealth>;
   const auto monitor = start_monitor({"--metrics-listen", ""});
   const auto simulator = start_simulator();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 20; }));
   // A plain reader: ours passes over what is not data.
   auto* topic = participant_.topic(HealthTopic::name, dds::TypeSupport(new EngineHealthPubSubType()));
   auto* reader = participant_.subscriber()->create_datareader(
-      topic, wire::reader_qos(HealthTopic::delivery, HealthTopic::estimate, {}));
+      topic, idl::reader_qos(HealthTopic::delivery, HealthTopic::estimate, {}));
   ASSERT_NE(reader, nullptr);
   EngineHealth estimate;
   dds::SampleInfo info;
@@ -93,7 +93,7 @@ TEST_F(StopTest, ReadersSeeTheEstimatesEnd) {
     look();
     return ended;
   }));
-  EXPECT_EQ(listener_.status.back().level(), static_cast<std::uint32_t>(wire::StatusLevel::stopped));
+  EXPECT_EQ(listener_.status.back().level(), static_cast<std::uint32_t>(idl::StatusLevel::stopped));
   participant_.subscriber()->delete_datareader(reader);
 }
 

@@ -36,19 +36,19 @@ class UnevenSourceTest : public PairTest {
   }
   std::uint64_t processed() const { return listener_.status.empty() ? 0 : listener_.status.back().samples_processed(); }
   std::uint32_t level() const { return listener_.status.back().level(); }
-  long raised(wire::EventKind kind) const {
+  long raised(idl::EventKind kind) const {
     return std::count_if(listener_.events.begin(), listener_.events.end(), [&](const HealthEvent& e) {
       return e.kind() == static_cast<std::uint32_t>(kind) && e.raised() != 0;
     });
   }
 
-  std::string said(wire::EventKind kind) const {
+  std::string said(idl::EventKind kind) const {
     const HealthEvent* event = listener_.find_event(kind, true);
     return event ? event->message().c_str() : "";
   }
 
   std::unique_ptr<Process> monitor_;
-  wire::Writer<EngineSensors> writer_{participant_};
+  idl::Writer<EngineSensors> writer_{participant_};
   EngineSamples samples_{design_file(), 1};
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
   std::uint64_t sent_ = 0;
@@ -58,10 +58,10 @@ TEST_F(UnevenSourceTest, StampsThatAreNeverSetAreSaidOnceAndEstimatesGoOn) {
   ASSERT_TRUE(send_until([&] { return processed() > 300; }, [](EngineSensors& s) { s.source_time_ns(0); }));
   EXPECT_EQ(listener_.status.back().filter_restarts(), 0u);
   EXPECT_EQ(listener_.status.back().samples_withheld(), 0u);
-  EXPECT_EQ(level(), static_cast<std::uint32_t>(wire::StatusLevel::warn));
-  EXPECT_EQ(raised(wire::EventKind::source_stamps), 1);
-  EXPECT_EQ(raised(wire::EventKind::filter_restart), 0);
-  EXPECT_THAT(said(wire::EventKind::source_stamps), HasSubstr("source_time_ns is not set (0)"));
+  EXPECT_EQ(level(), static_cast<std::uint32_t>(idl::StatusLevel::warn));
+  EXPECT_EQ(raised(idl::EventKind::source_stamps), 1);
+  EXPECT_EQ(raised(idl::EventKind::filter_restart), 0);
+  EXPECT_THAT(said(idl::EventKind::source_stamps), HasSubstr("source_time_ns is not set (0)"));
 }
 
 TEST_F(UnevenSourceTest, ASequenceThatStandsStillIsNamedAndIsNoLossOfInput) {
@@ -69,13 +69,13 @@ TEST_F(UnevenSourceTest, ASequenceThatStandsStillIsNamedAndIsNoLossOfInput) {
   const std::uint64_t stands_at = sent_;
   ASSERT_TRUE(send_until([&] { return listener_.status.back().samples_duplicated() > 60; },
                          [&](EngineSensors& s) { s.sequence_number(stands_at); }));
-  EXPECT_EQ(level(), static_cast<std::uint32_t>(wire::StatusLevel::error));
-  EXPECT_EQ(raised(wire::EventKind::source_sequence), 1);
-  EXPECT_EQ(raised(wire::EventKind::input_lost), 0);
-  EXPECT_THAT(said(wire::EventKind::source_sequence), HasSubstr("sequence stands still"));
+  EXPECT_EQ(level(), static_cast<std::uint32_t>(idl::StatusLevel::error));
+  EXPECT_EQ(raised(idl::EventKind::source_sequence), 1);
+  EXPECT_EQ(raised(idl::EventKind::input_lost), 0);
+  EXPECT_THAT(said(idl::EventKind::source_sequence), HasSubstr("sequence stands still"));
   // The source falls silent: now the input is lost.
-  ASSERT_TRUE(listener_.await([&] { return raised(wire::EventKind::input_lost) == 1; }));
-  EXPECT_THAT(said(wire::EventKind::input_lost), HasSubstr("no sample for 0."));
+  ASSERT_TRUE(listener_.await([&] { return raised(idl::EventKind::input_lost) == 1; }));
+  EXPECT_THAT(said(idl::EventKind::input_lost), HasSubstr("no sample for 0."));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class WatchTest : public PairTest {
           for (; forged < listener_.sensors.size(); ++forged) {
             EngineTruth t;
             t.engine_id(1);
-            t.schema(wire::schema_version);
+            t.schema(idl::schema_version);
             t.source_id(listener_.sensors[forged].source_id());
             t.sequence_number(listener_.sensors[forged].sequence_number());
             t.source_time_ns(listener_.sensors[forged].source_time_ns());
@@ -59,7 +59,7 @@ class WatchTest : public PairTest {
     for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++times;
     return times;
   }
-  wire::Writer<EngineTruth> forger_{participant_};
+  idl::Writer<EngineTruth> forger_{participant_};
   TemporaryFolder folder_;
 };
 

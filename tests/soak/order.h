@@ -1,7 +1,7 @@
 #pragma once
 // One line of the soak's script to the agent becomes one command on DDS.
 //
-//   sensor CHANNEL KIND MAGNITUDE DURATION_S   KIND as in wire::SensorFaultKind, by name; MAGNITUDE in its unit
+//   sensor CHANNEL KIND MAGNITUDE DURATION_S   KIND as in idl::SensorFaultKind, by name; MAGNITUDE in its unit
 //   health CHANNEL CHANGE RAMP_S               relative to the present health, fraction
 //   clear                                      all sensor faults
 //   reset                                      the monitor's filter

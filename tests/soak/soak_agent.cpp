@@ -14,8 +14,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "deploy/config/usage_answer.h"
-#include "deploy/service/exit_code.h"
+#include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/service/exit_code.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/realtime/clock.h"
 #include "tests/soak/error_watch.h"
@@ -52,7 +52,7 @@ class FlownTime {
 
 class Agent {
  public:
-  Agent(wire::Participant& source_side, wire::Participant& monitor_side, std::uint32_t engine_id)
+  Agent(idl::Participant& source_side, idl::Participant& monitor_side, std::uint32_t engine_id)
       : engine_id_(engine_id),
         sensors_(source_side),
         truth_(source_side),
@@ -95,7 +95,7 @@ class Agent {
 
  private:
   template <class T, class Visit>
-  void each(wire::Reader<T>& reader, Visit&& visit) {
+  void each(idl::Reader<T>& reader, Visit&& visit) {
     T sample;
     while (reader.take(sample))
       if (sample.engine_id() == engine_id_ || sample.engine_id() == whole_service) visit(sample);
@@ -179,16 +179,16 @@ class Agent {
   }
 
   std::uint32_t engine_id_;
-  wire::Reader<EngineSensors> sensors_;
-  wire::Reader<EngineTruth> truth_;
-  wire::Writer<SimCommand> sim_commands_;
-  wire::Reader<EngineHealth> health_;
-  wire::Reader<EngineAuxiliary> auxiliary_;
-  wire::Reader<EngineResiduals> residuals_;
-  wire::Reader<EngineDescription> descriptions_;
-  wire::Reader<MonitorStatus> status_;
-  wire::Reader<HealthEvent> events_;
-  wire::Writer<MonitorCommand> monitor_commands_;
+  idl::Reader<EngineSensors> sensors_;
+  idl::Reader<EngineTruth> truth_;
+  idl::Writer<SimCommand> sim_commands_;
+  idl::Reader<EngineHealth> health_;
+  idl::Reader<EngineAuxiliary> auxiliary_;
+  idl::Reader<EngineResiduals> residuals_;
+  idl::Reader<EngineDescription> descriptions_;
+  idl::Reader<MonitorStatus> status_;
+  idl::Reader<HealthEvent> events_;
+  idl::Writer<MonitorCommand> monitor_commands_;
 
   FlownTime flown_;
   soak::ErrorWatch errors_;
@@ -197,8 +197,8 @@ class Agent {
   double next_second_ = 0.0;
 };
 
-wire::ParticipantOptions options_of(std::uint32_t domain) {
-  wire::ParticipantOptions options;
+idl::ParticipantOptions options_of(std::uint32_t domain) {
+  idl::ParticipantOptions options;
   options.domain = domain;
   options.name = "soak_agent";
   return options;
@@ -242,7 +242,7 @@ int main(int argc, char** argv) {
     return config::usage_answer(app, e);
   }
   try {
-    wire::Participant source_side(options_of(source_domain)), monitor_side(options_of(monitor_domain));
+    idl::Participant source_side(options_of(source_domain)), monitor_side(options_of(monitor_domain));
     Agent agent(source_side, monitor_side, engine);
     serve(agent);
     return service::exit_ok;

@@ -6,19 +6,19 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "monitor/estimation/discretise.h"
+#include "engine_sim/linear_model/discretise.h"
 #include "tuner_design/baselines/best_subset.h"
 #include "tuner_design/baselines/tuner_baselines.h"
-#include "tuner_design/choose_tuners.h"
+#include "tuner_design/design/choose_tuners.h"
 #include "tuner_design/full_order/gauss_markov.h"
 #include "tuner_design/full_order/limit_after.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using design::Design;
-using estimation::LinearModel;
 using estimation::SteadyGain;
+using linear_model::LinearModel;
 
 /// The design's model, discrete and scaled, on the linear truth.
 struct Setting {
@@ -30,7 +30,7 @@ struct Setting {
 
 Setting setting_of(const Design& design) {
   Setting setting;
-  setting.model = estimation::scaled(discretise(design.model), design.scaling);
+  setting.model = linear_model::scaled(discretise(design.model), design.scaling);
   setting.model.linearisation_error.resize(0, 0);
   setting.steady = estimation::steady_gain(setting.model);
   setting.qh = design.options.qh_percent2;
@@ -140,4 +140,4 @@ std::vector<Baseline> baselines(const Design& design, const BaselineOptions& opt
   return table;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

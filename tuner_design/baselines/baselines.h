@@ -27,7 +27,7 @@
 
 #include "monitor/design/design.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct Baseline {
   std::string name;         ///< as above
@@ -51,4 +51,4 @@ std::size_t subsets_to_try(const design::Design& design);
 ///         the named subset apart.
 std::vector<Baseline> baselines(const design::Design& design, const BaselineOptions& options);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -8,15 +8,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "deploy/long_work/parallel_for.h"
-#include "tuner_design/kalman_error.h"
-#include "tuner_design/kalman_gain.h"
-#include "tuner_design/map_estimator.h"
-#include "tuner_design/observability.h"
-#include "tuner_design/prepared_point.h"
-#include "tuner_design/solver_error.h"
+#include "deploy/runtime/long_work/parallel_for.h"
+#include "tuner_design/math/solver_error.h"
+#include "tuner_design/theory/kalman_error.h"
+#include "tuner_design/theory/kalman_gain.h"
+#include "tuner_design/theory/map_estimator.h"
+#include "tuner_design/theory/observability.h"
+#include "tuner_design/theory/prepared_point.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 /// Rows of the identity.
@@ -28,7 +28,7 @@ Eigen::MatrixXd chosen_rows(const std::vector<int>& health, Eigen::Index p) {
 
 }  // namespace
 
-std::optional<design::SubsetDesign> filter_on_tuners(const estimation::LinearModel& model,
+std::optional<design::SubsetDesign> filter_on_tuners(const linear_model::LinearModel& model,
                                                      const estimation::SteadyGain& steady, const Eigen::MatrixXd& V,
                                                      double qh_percent2) {
   const Eigen::MatrixXd seen = model.sensor_noise_sigma.cwiseInverse().asDiagonal() * steady.H * right_inverse(V);
@@ -64,14 +64,14 @@ std::vector<std::vector<int>> all_subsets(int p, int t) {
   return subsets;
 }
 
-std::optional<BestSubset> best_subset(const estimation::LinearModel& model, const estimation::SteadyGain& steady, int t,
-                                      double qh_percent2, const RelativeError& merit, unsigned threads,
+std::optional<BestSubset> best_subset(const linear_model::LinearModel& model, const estimation::SteadyGain& steady,
+                                      int t, double qh_percent2, const RelativeError& merit, unsigned threads,
                                       const std::function<void(std::size_t)>& progress) {
   const Eigen::Index p = model.L.cols();
   const std::vector<std::vector<int>> subsets = all_subsets(static_cast<int>(p), t);
   constexpr double none = std::numeric_limits<double>::infinity();
   std::vector<double> value(subsets.size(), none);
-  work::parallel_for(
+  long_work::parallel_for(
       subsets.size(), threads,
       [&](std::size_t i) {
         const auto filter = filter_on_tuners(model, steady, chosen_rows(subsets[i], p), qh_percent2);
@@ -85,4 +85,4 @@ std::optional<BestSubset> best_subset(const estimation::LinearModel& model, cons
                     subsets.size(), static_cast<std::size_t>(std::count(value.begin(), value.end(), none))};
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

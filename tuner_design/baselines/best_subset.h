@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "tuner_design/relative_error.h"
+#include "tuner_design/theory/relative_error.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct BestSubset {
   std::vector<int> health;      ///< indices, ascending
@@ -21,7 +21,7 @@ struct BestSubset {
 
 /// The filter on V over all sensors, with its error theory; nullopt if the sensors cannot tell these tuners apart in
 /// the steady state (observability.h), or so badly that a solver fails. `model` is discrete and scaled.
-std::optional<design::SubsetDesign> filter_on_tuners(const estimation::LinearModel& model,
+std::optional<design::SubsetDesign> filter_on_tuners(const linear_model::LinearModel& model,
                                                      const estimation::SteadyGain& steady, const Eigen::MatrixXd& V,
                                                      double qh_percent2);
 
@@ -35,8 +35,8 @@ std::vector<std::vector<int>> all_subsets(int p, int t);
 /// nullopt if no subset has a filter. The result does not depend on the number of threads; `progress` gets the number
 /// of subsets done. @throws std::invalid_argument if t is not within 1 and p.
 std::optional<BestSubset> best_subset(
-    const estimation::LinearModel& model, const estimation::SteadyGain& steady, int t, double qh_percent2,
+    const linear_model::LinearModel& model, const estimation::SteadyGain& steady, int t, double qh_percent2,
     const RelativeError& merit, unsigned threads,
     const std::function<void(std::size_t)>& progress = [](std::size_t) {});
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <stdexcept>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 /// Small letters, "eff" written out.
@@ -19,12 +19,12 @@ std::string common_name(const std::string& name) {
 
 }  // namespace
 
-Eigen::MatrixXd subset_tuners(const estimation::LinearModel& model, const std::vector<std::string>& names) {
+Eigen::MatrixXd subset_tuners(const linear_model::LinearModel& model, const std::vector<std::string>& names) {
   const auto p = static_cast<Eigen::Index>(model.health.size());
   Eigen::MatrixXd V = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(names.size()), p);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto found = std::find_if(model.health.begin(), model.health.end(),
-                                    [&](const estimation::Channel& channel) { return channel.name == names[i]; });
+                                    [&](const linear_model::Channel& channel) { return channel.name == names[i]; });
     if (found == model.health.end()) {
       throw std::invalid_argument("subset of tuners: the model has no health parameter " + names[i]);
     }
@@ -33,7 +33,7 @@ Eigen::MatrixXd subset_tuners(const estimation::LinearModel& model, const std::v
   return V;
 }
 
-std::vector<std::string> published_subset(const estimation::LinearModel& model) {
+std::vector<std::string> published_subset(const linear_model::LinearModel& model) {
   std::vector<std::string> names;
   for (const char* wanted :
        {"fan_flow", "lpc_efficiency", "hpc_efficiency", "hpc_flow", "hpt_efficiency", "hpt_flow", "lpt_flow"}) {
@@ -55,4 +55,4 @@ Eigen::MatrixXd svd_tuners(const Eigen::MatrixXd& H, const Eigen::MatrixXd& Hz, 
   return Eigen::JacobiSVD<Eigen::MatrixXd>(stacked, Eigen::ComputeFullV).matrixV().leftCols(t).transpose();
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

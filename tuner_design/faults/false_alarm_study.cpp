@@ -3,14 +3,14 @@
 #include <cmath>
 #include <memory>
 
-#include "deploy/long_work/parallel_for.h"
+#include "deploy/runtime/long_work/parallel_for.h"
+#include "engine_sim/linear_model/discretise.h"
 #include "idl/wire_values.h"
-#include "monitor/estimation/discretise.h"
+#include "monitor/cycle/monitor_cycle.h"
 #include "monitor/estimation/steady_gain.h"
-#include "monitor/monitor_cycle.h"
 #include "tuner_design/monte_carlo/engine_motion.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr double flight_s = 600.0;
@@ -25,25 +25,25 @@ struct Tally {
 };
 
 void note(const monitor::Event& event, Tally& tally) {
-  namespace reason = wire::reject_reason;
+  namespace reason = idl::reject_reason;
   if (!event.raised) return;
   switch (event.kind) {
-    case wire::EventKind::sensor_fault:
+    case idl::EventKind::sensor_fault:
       ++tally.events[(event.detail & reason::bias) != 0    ? bias
                      : (event.detail & reason::noise) != 0 ? noise
                                                            : other_sensor_fault];
       return;
-    case wire::EventKind::health_shift:
+    case idl::EventKind::health_shift:
       ++tally.events[shift];
       return;
-    case wire::EventKind::ambiguous_fault:
+    case idl::EventKind::ambiguous_fault:
       ++tally.events[ambiguous];
       return;
-    case wire::EventKind::slow_bias:
+    case idl::EventKind::slow_bias:
       ++tally.events[slow_bias];
       return;
-    case wire::EventKind::implausible:
-    case wire::EventKind::unlikely_engine:
+    case idl::EventKind::implausible:
+    case idl::EventKind::unlikely_engine:
       ++tally.events[implausible];
       return;
     default:
@@ -62,7 +62,7 @@ class LinearFleet {
         counted_samples_(samples(flight_s)) {}
 
   Tally fly(RandomStream random) const {
-    const estimation::LinearModel& model = prepared_.design->model;
+    const linear_model::LinearModel& model = prepared_.design->model;
     monitor::MonitorCycle cycle(prepared_, monitor::CycleOptions{});
     monitor::Sample sample = still_sample(model);
     const Eigen::VectorXd steady = H_ * health(model, random);
@@ -92,14 +92,14 @@ class LinearFleet {
   int samples(double seconds) const {
     return static_cast<int>(std::ceil(seconds / prepared_.design->model.sample_time_s));
   }
-  static Eigen::VectorXd health(const estimation::LinearModel& model, RandomStream& random) {
+  static Eigen::VectorXd health(const linear_model::LinearModel& model, RandomStream& random) {
     Eigen::VectorXd h(model.health_sigma.size());
     for (Eigen::Index i = 0; i < h.size(); ++i) h(i) = model.health_sigma(i) * random.normal();
     return h;
   }
-  static monitor::Sample still_sample(const estimation::LinearModel& model) {
+  static monitor::Sample still_sample(const linear_model::LinearModel& model) {
     monitor::Sample sample;
-    sample.schema = wire::schema_version;
+    sample.schema = idl::schema_version;
     sample.source_id = 1;
     if (model.operating_point) sample.flight = *model.operating_point;
     sample.sensor_count = static_cast<std::uint32_t>(model.sensors.size());
@@ -153,7 +153,7 @@ FalseAlarmStudy run_false_alarm_study(const design::Design& design, const FalseA
   study.hours = static_cast<double>(study.flights) * flight_s / 3600.0;
   study.process_noise = options.process_noise;
   std::vector<Tally> tallies(study.flights);
-  work::parallel_for(
+  long_work::parallel_for(
       study.flights, options.threads, [&](std::size_t i) { tallies[i] = fleet.fly(RandomStream(options.seed, i)); },
       [&](std::size_t done) { progress(static_cast<double>(done) / static_cast<double>(study.flights)); });
   Tally sum;
@@ -183,4 +183,4 @@ FalseAlarmStudy run_false_alarm_study(const design::Design& design, const FalseA
   return study;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

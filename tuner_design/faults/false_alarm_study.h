@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
+#include "monitor/data/options.h"
 #include "monitor/design/design.h"
-#include "monitor/options.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct FalseAlarmOptions {
   double hours = 10.0;        ///< counted, of all flights together
@@ -53,4 +53,4 @@ std::array<double, 2> poisson_interval(std::size_t count);
 FalseAlarmStudy run_false_alarm_study(const design::Design& design, const FalseAlarmOptions& options,
                                       const std::function<void(double share)>& progress);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

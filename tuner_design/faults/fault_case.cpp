@@ -1,6 +1,6 @@
 #include "tuner_design/faults/fault_case.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 const std::vector<FaultRow>& fault_table() {
   static const std::vector<FaultRow> table{
@@ -28,4 +28,4 @@ std::vector<FaultCase> round_of_cases(std::size_t sensors, std::size_t health) {
   return cases;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

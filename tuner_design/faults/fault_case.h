@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 enum class Broken { nothing, bias, stuck, drift, noise, dropout, component };
 
@@ -33,4 +33,4 @@ struct FaultCase {
 
 std::vector<FaultCase> round_of_cases(std::size_t sensors, std::size_t health);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -6,16 +6,16 @@
 
 #include "engine_sim/simulation.h"
 #include "idl/wire_values.h"
-#include "monitor/monitor_cycle.h"
+#include "monitor/cycle/monitor_cycle.h"
 #include "tuner_design/monte_carlo/random_stream.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr double wait_s = 2.0;  // beyond the convergence of the filter
 
 template <class Names>
-void require_channels(const std::vector<estimation::Channel>& channels, const Names& known, const char* kind) {
+void require_channels(const std::vector<linear_model::Channel>& channels, const Names& known, const char* kind) {
   std::string names;
   bool same = channels.size() == known.size();
   for (std::size_t i = 0; i < known.size(); ++i) {
@@ -29,11 +29,11 @@ void require_channels(const std::vector<estimation::Channel>& channels, const Na
 
 std::vector<std::string_view> sensor_names() {
   std::vector<std::string_view> names;
-  for (const auto& sensor : engine::sensor_names) names.push_back(sensor.name);
+  for (const auto& sensor : engine_sim::sensor_names) names.push_back(sensor.name);
   return names;
 }
 
-double fan_speed_trim(const estimation::LinearModel& model) {
+double fan_speed_trim(const linear_model::LinearModel& model) {
   for (const auto& state : model.states)
     if (state.name == "Nf" && state.unit == "rpm") return state.trim;
   throw std::invalid_argument("study faults: the design has no state Nf (rpm) whose trim the control could hold");
@@ -44,69 +44,69 @@ double settled_after_s(const design::Design& design) {
 }
 
 /// The flight of one engine of the fleet; what breaks is still to be added.
-engine::Scenario scenario_of(const design::Design& design, RandomStream& random) {
-  engine::Scenario scenario;
+engine_sim::Scenario scenario_of(const design::Design& design, RandomStream& random) {
+  engine_sim::Scenario scenario;
   const auto& model = design.model;
   scenario.sample_time_s = model.sample_time_s;
   scenario.flight = {model.operating_point->altitude_m, model.operating_point->mach,
                      model.operating_point->delta_isa_k};
-  scenario.demand = {engine::DemandKind::n1_rpm, fan_speed_trim(model)};
-  for (std::size_t i = 0; i < engine::health_count; ++i)
+  scenario.demand = {engine_sim::DemandKind::n1_rpm, fan_speed_trim(model)};
+  for (std::size_t i = 0; i < engine_sim::health_count; ++i)
     scenario.wear[i].initial =
         model.health[i].trim + model.health_sigma(static_cast<Eigen::Index>(i)) * random.normal();
   scenario.seed = static_cast<std::int64_t>(random.bits() >> 12);
   return scenario;
 }
 
-engine::ScheduledFault sensor_fault(const FaultCase& what, double sigma, double onset_s, RandomStream& random) {
-  engine::SensorFault fault{.start_s = onset_s};
+engine_sim::ScheduledFault sensor_fault(const FaultCase& what, double sigma, double onset_s, RandomStream& random) {
+  engine_sim::SensorFault fault{.start_s = onset_s};
   switch (what.row->broken) {
     case Broken::bias:
-      fault.kind = engine::FaultKind::bias;
+      fault.kind = engine_sim::FaultKind::bias;
       fault.magnitude = what.row->size * sigma;
       break;
     case Broken::drift:
-      fault.kind = engine::FaultKind::drift;
+      fault.kind = engine_sim::FaultKind::drift;
       fault.magnitude = (random.uniform() < 0.5 ? -1.0 : 1.0) * what.row->size * sigma / 60.0;
       break;
     case Broken::noise:
-      fault.kind = engine::FaultKind::noise;
+      fault.kind = engine_sim::FaultKind::noise;
       fault.magnitude = what.row->size;
       break;
     case Broken::stuck:
-      fault.kind = engine::FaultKind::stuck;
+      fault.kind = engine_sim::FaultKind::stuck;
       break;
     default:
-      fault.kind = engine::FaultKind::dropout;
+      fault.kind = engine_sim::FaultKind::dropout;
   }
   return {what.channel, fault};
 }
 
-void convert(const engine::SimSample& from, monitor::Sample& to) {
-  to.schema = wire::schema_version;
+void convert(const engine_sim::SimSample& from, monitor::Sample& to) {
+  to.schema = idl::schema_version;
   to.source_id = 1;
   to.sequence = from.sequence;
   to.source_time_ns = std::llround(1e9 * from.time_s);
   to.flight = {from.flight.altitude_m, from.flight.mach, from.flight.delta_isa_k};
-  to.sensor_count = engine::sensor_count;
+  to.sensor_count = engine_sim::sensor_count;
   to.actuator_count = 3;
   to.actuator = {from.actuation.fuel_flow_kg_s, from.geometry.vsv_deg, from.geometry.vbv_fraction};
   to.sensor_valid = 0;
-  for (std::size_t i = 0; i < engine::sensor_count; ++i) {
+  for (std::size_t i = 0; i < engine_sim::sensor_count; ++i) {
     to.sensor[i] = from.readings[i].value;
     to.sensor_valid |= static_cast<std::uint32_t>(from.readings[i].valid) << i;
   }
 }
 
-Answer answer_of(wire::EventKind kind) {
+Answer answer_of(idl::EventKind kind) {
   switch (kind) {
-    case wire::EventKind::sensor_fault:
+    case idl::EventKind::sensor_fault:
       return Answer::sensor;
-    case wire::EventKind::health_shift:
+    case idl::EventKind::health_shift:
       return Answer::component;
-    case wire::EventKind::ambiguous_fault:
+    case idl::EventKind::ambiguous_fault:
       return Answer::ambiguous;
-    case wire::EventKind::slow_bias:
+    case idl::EventKind::slow_bias:
       return Answer::slow_bias;
     default:
       return Answer::nothing;
@@ -131,10 +131,10 @@ void note(const monitor::Event& event, double since_onset_s, bool broken, FaultO
   outcome.size = event.value;
 }
 
-FaultOutcome fly(const monitor::PreparedDesign& study, const engine::Scenario& scenario, double onset_s, double end_s,
-                 bool broken) {
+FaultOutcome fly(const monitor::PreparedDesign& study, const engine_sim::Scenario& scenario, double onset_s,
+                 double end_s, bool broken) {
   FaultOutcome outcome;
-  std::optional<engine::Simulation> flight;
+  std::optional<engine_sim::Simulation> flight;
   try {
     flight.emplace(scenario);
     monitor::MonitorCycle cycle(study, monitor::CycleOptions{});
@@ -154,7 +154,7 @@ FaultOutcome fly(const monitor::PreparedDesign& study, const engine::Scenario& s
       for (const monitor::Event& event : cycle.events()) note(event, since_onset_s, broken, outcome);
       cycle.clear_events();
     }
-  } catch (const engine::FlightError&) {
+  } catch (const engine_sim::FlightError&) {
     return {};  // the caller counts them
   }
   outcome.flown = true;
@@ -168,7 +168,7 @@ monitor::PreparedDesign study_engine(const design::Design& design) {
     throw std::invalid_argument("study faults: the design is for the engine type '" + design.model.engine_type +
                                 "'; allowed: jt9d at an operating point, as tuner_design linearise writes it");
   require_channels(design.model.sensors, sensor_names(), "sensors");
-  require_channels(design.model.health, engine::health_names, "health parameters");
+  require_channels(design.model.health, engine_sim::health_names, "health parameters");
   require_channels(design.model.controls, std::vector<std::string_view>{"fuel_flow", "VSV", "VBV"}, "controls");
   fan_speed_trim(design.model);
   return monitor::PreparedDesign(std::make_shared<const design::Design>(design));
@@ -177,7 +177,7 @@ monitor::PreparedDesign study_engine(const design::Design& design) {
 FaultOutcome fly_case(const monitor::PreparedDesign& study, const FaultCase& what, std::uint64_t seed,
                       std::uint64_t index) {
   RandomStream random(seed, index);
-  engine::Scenario scenario = scenario_of(*study.design, random);
+  engine_sim::Scenario scenario = scenario_of(*study.design, random);
   const double onset_s = settled_after_s(*study.design) + random.uniform();
   const auto channel = static_cast<Eigen::Index>(what.channel);
   if (what.row->broken == Broken::component)
@@ -190,9 +190,9 @@ FaultOutcome fly_case(const monitor::PreparedDesign& study, const FaultCase& wha
 FaultOutcome fly_healthy(const monitor::PreparedDesign& study, double seconds, std::uint64_t seed,
                          std::uint64_t index) {
   RandomStream random(seed, index);
-  const engine::Scenario scenario = scenario_of(*study.design, random);
+  const engine_sim::Scenario scenario = scenario_of(*study.design, random);
   const double onset_s = settled_after_s(*study.design);
   return fly(study, scenario, onset_s, onset_s + seconds, false);
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -9,10 +9,10 @@
 #include <memory>
 #include <optional>
 
-#include "monitor/prepared_design.h"
+#include "monitor/cycle/prepared_design.h"
 #include "tuner_design/faults/fault_case.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 enum class Answer { nothing, sensor, component, ambiguous, slow_bias };
 
@@ -37,4 +37,4 @@ FaultOutcome fly_case(const monitor::PreparedDesign& engine, const FaultCase& wh
 FaultOutcome fly_healthy(const monitor::PreparedDesign& engine, double seconds, std::uint64_t seed,
                          std::uint64_t index);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

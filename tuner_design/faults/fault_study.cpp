@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deploy/long_work/parallel_for.h"
+#include "deploy/runtime/long_work/parallel_for.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr double healthy_flight_s = 600.0;
@@ -96,7 +96,7 @@ FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions
   const auto flights = static_cast<std::size_t>(std::ceil(3600.0 * options.hours / healthy_flight_s));
   std::vector<FaultOutcome> healthy(flights);
   const std::size_t all = options.cases + flights;
-  work::parallel_for(
+  long_work::parallel_for(
       all, options.threads,
       [&](std::size_t i) {
         if (i < options.cases)
@@ -117,4 +117,4 @@ FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions
   return study;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

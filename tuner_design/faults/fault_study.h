@@ -9,7 +9,7 @@
 
 #include "tuner_design/faults/fault_flight.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct FaultStudyOptions {
   std::size_t cases = 400;
@@ -50,4 +50,4 @@ inline constexpr double abrupt_limit_s = 3.0;
 FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions& options,
                            const std::function<void(double share)>& progress);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

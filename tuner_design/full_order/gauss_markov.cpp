@@ -7,17 +7,17 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tuner_design/kalman_error.h"
-#include "tuner_design/lyapunov.h"
-#include "tuner_design/observability.h"
-#include "tuner_design/prepared_point.h"
-#include "tuner_design/riccati.h"
+#include "tuner_design/math/lyapunov.h"
+#include "tuner_design/math/riccati.h"
+#include "tuner_design/theory/kalman_error.h"
+#include "tuner_design/theory/observability.h"
+#include "tuner_design/theory/prepared_point.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 /// Spectral radius of the closed loop on all that the sensors see.
-double seen_radius(const design::SubsetDesign& design, const estimation::LinearModel& model, double rho) {
+double seen_radius(const design::SubsetDesign& design, const linear_model::LinearModel& model, double rho) {
   const Eigen::Index n = model.A.rows(), p = model.L.cols();
   const Eigen::MatrixXd answer = (rho * Eigen::MatrixXd::Identity(n, n) - model.A).partialPivLu().solve(model.L);
   const Eigen::MatrixXd H_rho = model.C * answer + model.M;
@@ -39,7 +39,7 @@ double seen_radius(const design::SubsetDesign& design, const estimation::LinearM
 
 }  // namespace
 
-double gauss_markov_rho(const estimation::LinearModel& model, double qh_percent2) {
+double gauss_markov_rho(const linear_model::LinearModel& model, double qh_percent2) {
   const double variance = model.health_sigma.squaredNorm() / static_cast<double>(model.health_sigma.size());
   if (!(qh_percent2 > 0.0 && qh_percent2 < variance)) {
     throw std::invalid_argument("Gauss-Markov filter: qh is " + std::to_string(qh_percent2) +
@@ -49,7 +49,7 @@ double gauss_markov_rho(const estimation::LinearModel& model, double qh_percent2
   return std::sqrt(1.0 - qh_percent2 / variance);
 }
 
-design::SubsetDesign gauss_markov_design(const estimation::LinearModel& model, const estimation::SteadyGain& steady,
+design::SubsetDesign gauss_markov_design(const linear_model::LinearModel& model, const estimation::SteadyGain& steady,
                                          double rho) {
   if (!(rho > 0.0 && rho < 1.0)) {
     throw std::invalid_argument("Gauss-Markov filter: rho is " + std::to_string(rho) +
@@ -84,4 +84,4 @@ estimation::GaussMarkovGain gauss_markov_gain(const design::SubsetDesign& design
   return {rho, design.K, design.innovation_variance};
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

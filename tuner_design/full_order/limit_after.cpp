@@ -5,9 +5,9 @@
 
 #include "monitor/estimation/time_varying_filter.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
-design::ErrorByChannel limit_after(const estimation::LinearModel& model, int samples, int window) {
+design::ErrorByChannel limit_after(const linear_model::LinearModel& model, int samples, int window) {
   if (window < 1 || window > samples) {
     throw std::invalid_argument("limit after " + std::to_string(samples) + " samples: a window of " +
                                 std::to_string(window) + "; allowed: 1 to the number of samples");
@@ -26,4 +26,4 @@ design::ErrorByChannel limit_after(const estimation::LinearModel& model, int sam
   return {sum.health / window, sum.auxiliary / window};
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

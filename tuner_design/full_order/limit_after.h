@@ -8,12 +8,12 @@
 
 #include "monitor/design/design.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// `model` is discrete and scaled; the truth has its process noise, in motion before the first sample, and no
 /// linearisation error. The squared errors are those after N samples, averaged over the last `window` of them: the
 /// quantity of a Monte Carlo that averages over the end of a run. Needs 1 <= window <= samples.
 /// @throws std::invalid_argument if the numbers of samples are wrong or the model exceeds the filter's capacity.
-design::ErrorByChannel limit_after(const estimation::LinearModel& model, int samples, int window = 1);
+design::ErrorByChannel limit_after(const linear_model::LinearModel& model, int samples, int window = 1);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

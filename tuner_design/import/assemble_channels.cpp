@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/design/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
-using estimation::Channel;
+using linear_model::Channel;
 
 /// One of the five lists, and what its variables begin with.
 struct Kind {
@@ -23,8 +23,8 @@ std::vector<std::string> texts_of(const Variables& given, const std::string& nam
   const auto it = given.texts.find(name);
   if (it == given.texts.end()) return std::vector<std::string>(size);
   if (it->second.size() == size) return it->second;
-  design::throw_defect(given.source, name, std::to_string(it->second.size()) + " texts long", std::to_string(size),
-                       "Give one for each " + each);
+  files::throw_defect(given.source, name, std::to_string(it->second.size()) + " texts long", std::to_string(size),
+                      "Give one for each " + each);
 }
 
 void tell(ImportedModel& result, const std::vector<Channel>& channels, const std::vector<bool>& chosen,
@@ -86,9 +86,9 @@ Eigen::VectorXd vector_of(const Variables& given, const std::string& name, Eigen
   if (values == nullptr || values->size() == 0) return Eigen::VectorXd::Constant(size, std::nan(""));
   if (allow_scalar && values->size() == 1) return Eigen::VectorXd::Constant(size, (*values)(0, 0));
   if (values->size() == size && (values->rows() == 1 || values->cols() == 1)) return values->reshaped();
-  design::throw_defect(given.source, name, std::to_string(values->rows()) + " x " + std::to_string(values->cols()),
-                       std::string(allow_scalar ? "one number or " : "") + "a vector of " + std::to_string(size),
-                       "Give one number for each " + each);
+  files::throw_defect(given.source, name, std::to_string(values->rows()) + " x " + std::to_string(values->cols()),
+                      std::string(allow_scalar ? "one number or " : "") + "a vector of " + std::to_string(size),
+                      "Give one number for each " + each);
 }
 
 std::string listed(const std::vector<Channel>& channels, const std::vector<bool>& chosen) {
@@ -102,7 +102,7 @@ std::string listed(const std::vector<Channel>& channels, const std::vector<bool>
 }
 
 void assemble_channels(const Variables& given, ImportedModel& result) {
-  estimation::LinearModel& model = result.model;
+  linear_model::LinearModel& model = result.model;
   const auto size = [](Eigen::Index value) { return static_cast<std::size_t>(value); };
   assemble_list(given, {"state", "x", "row of A"}, size(model.A.rows()), result, model.states);
   assemble_list(given, {"control", "u", "column of B"}, size(model.B.cols()), result, model.controls);
@@ -112,4 +112,4 @@ void assemble_channels(const Variables& given, ImportedModel& result) {
   assemble_health(given, in_percent, size(model.L.cols()), result);
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

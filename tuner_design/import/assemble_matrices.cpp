@@ -1,8 +1,8 @@
 #include "tuner_design/import/assemble_matrices.h"
 
-#include "monitor/design/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 std::string shape(Eigen::Index rows, Eigen::Index cols) {
@@ -16,8 +16,8 @@ bool is_stated(const Variables& given, const std::string& name) {
 
 const Eigen::MatrixXd& required(const Variables& given, const std::string& name, const std::string& remedy) {
   if (is_stated(given, name)) return *given.find(name);
-  throw design::FileError(given.source + ": " + name + " is missing or empty; a model needs A, L, C and M. " + remedy +
-                          ".");
+  throw files::FileError(given.source + ": " + name + " is missing or empty; a model needs A, L, C and M. " + remedy +
+                         ".");
 }
 
 /// `why` says where the dimensions come from.
@@ -26,8 +26,8 @@ Eigen::MatrixXd shaped(const Variables& given, const std::string& name, Eigen::I
   const Eigen::MatrixXd& matrix = *given.find(name);
   if (matrix.rows() == rows && matrix.cols() == cols) return matrix;
   const bool transposed = matrix.rows() == cols && matrix.cols() == rows;
-  design::throw_defect(given.source, name, shape(matrix.rows(), matrix.cols()), shape(rows, cols) + ", " + why,
-                       transposed ? "Transpose it" : "Check how it was derived, or the matrix that it must fit");
+  files::throw_defect(given.source, name, shape(matrix.rows(), matrix.cols()), shape(rows, cols) + ", " + why,
+                      transposed ? "Transpose it" : "Check how it was derived, or the matrix that it must fit");
 }
 
 /// The direct effect of the controls, which many models do not have.
@@ -41,7 +41,7 @@ Eigen::MatrixXd direct_effect(const Variables& given, const std::string& name, E
 }  // namespace
 
 void assemble_matrices(const Variables& given, ImportedModel& result) {
-  estimation::LinearModel& model = result.model;
+  linear_model::LinearModel& model = result.model;
   model.A = required(given, "A", "Give the n x n matrix of the states");
   const Eigen::Index n = model.A.rows();
   shaped(given, "A", n, n, "square");
@@ -60,9 +60,9 @@ void assemble_matrices(const Variables& given, ImportedModel& result) {
   model.D = direct_effect(given, "D", m, nu, "rows as C" + controls, result);
 
   if (is_stated(given, "F") != is_stated(given, "N")) {
-    throw design::FileError(given.source + ": " + (is_stated(given, "F") ? "N" : "F") +
-                            " is missing or empty; auxiliary outputs need both F (r x n) and N (r x p). Give it, zeros "
-                            "if it has no effect, or leave out both.");
+    throw files::FileError(given.source + ": " + (is_stated(given, "F") ? "N" : "F") +
+                           " is missing or empty; auxiliary outputs need both F (r x n) and N (r x p). Give it, zeros "
+                           "if it has no effect, or leave out both.");
   }
   const Eigen::Index r = is_stated(given, "F") ? given.find("F")->rows() : 0;
   model.F = r > 0 ? shaped(given, "F", r, n, "as many columns as A") : Eigen::MatrixXd::Zero(0, n);
@@ -71,4 +71,4 @@ void assemble_matrices(const Variables& given, ImportedModel& result) {
   model.G = direct_effect(given, "G", r, nu, outputs + controls, result);
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -2,19 +2,19 @@
 
 #include <filesystem>
 
-#include "monitor/design/file_error.h"
-#include "monitor/design/json_object.h"
-#include "monitor/design/model_check.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/json_object.h"
+#include "engine_sim/linear_model/model_check.h"
 #include "tuner_design/import/assemble_channels.h"
 #include "tuner_design/import/assemble_matrices.h"
 #include "tuner_design/import/assemble_noise.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
-using design::shown;
-using design::throw_defect;
-using estimation::LinearModel;
+using files::shown;
+using files::throw_defect;
+using linear_model::LinearModel;
 
 std::optional<double> scalar(const Variables& given, const std::string& name) {
   const Eigen::MatrixXd* value = given.find(name);
@@ -44,9 +44,9 @@ void assemble_time(const Variables& given, const ImportOptions& options, Importe
   if (period > 0.0) stated = period;
   if (stated && options.sample_time_s) refuse_option(given, "the sample time", "--sample-time");
   if (!stated && !options.sample_time_s) {
-    throw design::FileError(given.source + ": the sample time is missing. Give the variable " +
-                            (period < 0.0 ? "Ts" : "sample_time_s (continuous model) or Ts (discrete model)") +
-                            ", or --sample-time, in seconds.");
+    throw files::FileError(given.source + ": the sample time is missing. Give the variable " +
+                           (period < 0.0 ? "Ts" : "sample_time_s (continuous model) or Ts (discrete model)") +
+                           ", or --sample-time, in seconds.");
   }
   model.discrete = period != 0.0;
   model.sample_time_s = stated ? *stated : *options.sample_time_s;
@@ -57,8 +57,8 @@ void assemble_operating_point(const Variables& given, ImportedModel& result) {
   const auto altitude = scalar(given, "altitude_m"), mach = scalar(given, "mach"), isa = scalar(given, "delta_isa_k");
   if (!altitude && !mach && !isa) return;
   if (!altitude || !mach) {
-    throw design::FileError(given.source + ": " + (altitude ? "mach" : "altitude_m") +
-                            " is missing; an operating point is altitude_m, mach and delta_isa_k. Add it.");
+    throw files::FileError(given.source + ": " + (altitude ? "mach" : "altitude_m") +
+                           " is missing; an operating point is altitude_m, mach and delta_isa_k. Add it.");
   }
   if (!isa) result.assumed.emplace_back("delta_isa_k: 0, since it is not stated");
   result.model.operating_point = {*altitude, *mach, isa.value_or(0.0)};
@@ -84,8 +84,8 @@ ImportedModel assemble_model(const Variables& given, const ImportOptions& option
     for (const std::string& name : given.ignored) names += (names.empty() ? "" : ", ") + name;
     result.assumed.push_back("not part of a model, ignored: " + names);
   }
-  design::check_model(model, given.source, sensor_capacity);
+  linear_model::check_model(model, given.source, sensor_capacity);
   return result;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -9,11 +9,11 @@
 #include "tuner_design/import/import_model.h"
 #include "tuner_design/import/variables.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
-/// @throws design::FileError if something necessary is missing, has the wrong shape, an entry that makes no sense, or
+/// @throws files::FileError if something necessary is missing, has the wrong shape, an entry that makes no sense, or
 /// an
-///         option contradicts what is stated; and as design::check_model does.
+///         option contradicts what is stated; and as linear_model::check_model does.
 ImportedModel assemble_model(const Variables& given, const ImportOptions& options, int sensor_capacity);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -3,20 +3,20 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "deploy/files/csv_table.h"
-#include "monitor/design/file_error.h"
-#include "monitor/design/json_object.h"
-#include "monitor/estimation/scaling.h"
-#include "monitor/estimation/sensor_noise.h"
+#include "deploy/runtime/files/csv_table.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/json_object.h"
+#include "engine_sim/linear_model/scaling.h"
+#include "engine_sim/linear_model/sensor_noise.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/import/assemble_channels.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
-using design::shown;
-using design::throw_defect;
-using estimation::LinearModel;
+using files::shown;
+using files::throw_defect;
+using linear_model::LinearModel;
 
 std::string place(const std::string& name, Eigen::Index row, Eigen::Index col) {
   return name + "(" + std::to_string(row + 1) + "," + std::to_string(col + 1) + ")";
@@ -86,10 +86,10 @@ void require_plausible_noise(const Variables& given, const LinearModel& model, c
     const auto at = static_cast<Eigen::Index>(i);
     const double spread = (H.row(at) * model.health_sigma.asDiagonal()).norm();
     if (!assumed[i] || model.sensor_noise_sigma(at) >= least * spread) continue;
-    throw design::FileError(given.source + ": the noise of sensor " + model.sensors[i].name + " (" +
-                            model.sensors[i].unit + ") is not stated, and cannot be assumed in percent of trim, since " +
-                            files::shortest(model.sensors[i].trim) + " is near zero: the fleet's health moves it by " +
-                            files::shortest(spread) + ". Give sensor_noise_sigma or R.");
+    throw files::FileError(given.source + ": the noise of sensor " + model.sensors[i].name + " (" +
+                           model.sensors[i].unit + ") is not stated, and cannot be assumed in percent of trim, since " +
+                           files::shortest(model.sensors[i].trim) + " is near zero: the fleet's health moves it by " +
+                           files::shortest(spread) + ". Give sensor_noise_sigma or R.");
   }
 }
 
@@ -100,7 +100,7 @@ void assemble_sensor_noise(const Variables& given, const ImportOptions& options,
   Eigen::VectorXd& sigma = model.sensor_noise_sigma;
   sigma = sigmas(given, "sensor_noise_sigma", m, "row of C");
   if (covariance && !sigma.array().isNaN().all())
-    throw design::FileError(given.source + ": R and sensor_noise_sigma are both there. Remove one of them.");
+    throw files::FileError(given.source + ": R and sensor_noise_sigma are both there. Remove one of them.");
   if (covariance) sigma = sigmas_of_covariance(given, m);
   const double percent = options.sensor_noise_percent.value_or(ImportOptions::default_sensor_noise_percent);
   std::vector<bool> missing(model.sensors.size());
@@ -108,12 +108,12 @@ void assemble_sensor_noise(const Variables& given, const ImportOptions& options,
     const auto at = static_cast<Eigen::Index>(i);
     missing[i] = std::isnan(sigma(at));
     if (!missing[i]) continue;
-    const double one_percent = estimation::percent_of_trim(model.sensors[i], 0.0);
+    const double one_percent = linear_model::percent_of_trim(model.sensors[i], 0.0);
     if (one_percent == 0.0) {
-      throw design::FileError(given.source + ": the noise of sensor " + model.sensors[i].name + " (" +
-                              model.sensors[i].unit +
-                              ") is not stated, and cannot be assumed in percent of trim, since "
-                              "its trim is not stated, 0, or a gauge pressure. Give sensor_noise_sigma or R.");
+      throw files::FileError(given.source + ": the noise of sensor " + model.sensors[i].name + " (" +
+                             model.sensors[i].unit +
+                             ") is not stated, and cannot be assumed in percent of trim, since "
+                             "its trim is not stated, 0, or a gauge pressure. Give sensor_noise_sigma or R.");
     }
     sigma(at) = one_percent * percent;
   }
@@ -145,7 +145,7 @@ void assemble_fineness(const Variables& given, LinearModel& model) {
   model.sensor_resolution = fineness(given, "sensor_resolution", m);
   model.sensor_update_period_s = fineness(given, "sensor_update_period_s", m);
   for (Eigen::Index i = 0; i < m; ++i)
-    model.sensor_noise_sigma(i) = estimation::counted_sigma(model, i, model.sensor_noise_sigma(i));
+    model.sensor_noise_sigma(i) = linear_model::counted_sigma(model, i, model.sensor_noise_sigma(i));
 }
 
 void assume_process_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
@@ -153,13 +153,14 @@ void assume_process_noise(const Variables& given, const ImportOptions& options, 
   const double percent = options.process_noise_percent.value_or(ImportOptions::default_process_noise_percent);
   Eigen::VectorXd sigma(model.A.rows());
   for (Eigen::Index i = 0; i < sigma.size(); ++i) {
-    const estimation::Channel& state = model.states[static_cast<std::size_t>(i)];
-    sigma(i) = percent * estimation::percent_of_trim(state, 0.0);
+    const linear_model::Channel& state = model.states[static_cast<std::size_t>(i)];
+    sigma(i) = percent * linear_model::percent_of_trim(state, 0.0);
     if (sigma(i) > 0.0) continue;
-    throw design::FileError(given.source +
-                            ": Q is not stated, and cannot be assumed in percent of trim, since the trim "
-                            "of state " +
-                            state.name + " (" + state.unit + ") is not stated, 0, or a gauge pressure. Give Q per sample.");
+    throw files::FileError(given.source +
+                           ": Q is not stated, and cannot be assumed in percent of trim, since the trim "
+                           "of state " +
+                           state.name + " (" + state.unit +
+                           ") is not stated, 0, or a gauge pressure. Give Q per sample.");
   }
   model.process_noise = sigma.cwiseAbs2().asDiagonal();
   if (options.process_noise_percent) return;
@@ -188,8 +189,8 @@ void assemble_process_noise(const Variables& given, const ImportOptions& options
 }  // namespace
 
 void refuse_option(const Variables& given, const std::string& stated, const std::string& option) {
-  throw design::FileError(given.source + ": states " + stated + ", so that " + option +
-                          " would do nothing; allowed: one of the two. Remove one.");
+  throw files::FileError(given.source + ": states " + stated + ", so that " + option +
+                         " would do nothing; allowed: one of the two. Remove one.");
 }
 
 void assemble_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
@@ -199,4 +200,4 @@ void assemble_noise(const Variables& given, const ImportOptions& options, Import
   assemble_process_noise(given, options, result);
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

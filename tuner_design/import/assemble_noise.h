@@ -11,14 +11,14 @@
 #include "tuner_design/import/import_model.h"
 #include "tuner_design/import/variables.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// `result` has its matrices and channels.
-/// @throws design::FileError if a length is wrong, a sigma or variance is not above zero, R has entries off its
+/// @throws files::FileError if a length is wrong, a sigma or variance is not above zero, R has entries off its
 ///         diagonal, Q is not symmetric, something is stated twice, or cannot be assumed for want of a trim.
 void assemble_noise(const Variables& given, const ImportOptions& options, ImportedModel& result);
 
 /// Nothing that the user says is silently without effect.
 [[noreturn]] void refuse_option(const Variables& given, const std::string& stated, const std::string& option);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

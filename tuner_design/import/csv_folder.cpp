@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <set>
 
-#include "deploy/files/csv_table.h"
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/csv_table.h"
+#include "deploy/runtime/files/file_error.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using files::CsvRow;
@@ -132,4 +132,4 @@ Variables read_csv_folder(const std::string& folder) {
   return variables;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

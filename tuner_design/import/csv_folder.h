@@ -15,10 +15,10 @@
 
 #include "tuner_design/import/variables.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// @throws files::FileError (file, line, column) if a file cannot be read, a cell is not a finite number, a line has
 ///         another number of cells, or channels.csv or settings.csv has an unknown column, kind or key.
 Variables read_csv_folder(const std::string& folder);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

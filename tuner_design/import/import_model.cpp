@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
-#include "monitor/design/file_error.h"
-#include "monitor/design/model_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "engine_sim/linear_model/model_file.h"
 #include "tuner_design/import/assemble_model.h"
 #include "tuner_design/import/csv_folder.h"
 #include "tuner_design/import/mat_file.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 bool is_folder(const std::string& path) {
@@ -23,7 +23,7 @@ bool is_csv_file(const std::string& path) {
 /// Our own file states everything.
 ImportedModel import_json(const std::string& path, const ImportOptions& options, int sensor_capacity) {
   refuse_import_options(path, options);
-  return {design::read_model(path, sensor_capacity), design::model_schema, {}};
+  return {linear_model::read_model(path, sensor_capacity), linear_model::model_schema, {}};
 }
 
 }  // namespace
@@ -35,9 +35,9 @@ bool is_foreign_model(const std::string& path) {
 void refuse_import_options(const std::string& path, const ImportOptions& options) {
   if (options.sample_time_s || options.health_sigma_percent || options.sensor_noise_percent ||
       options.process_noise_percent) {
-    throw design::FileError(path +
-                            ": states sample time, health sigma and noise itself; --sample-time, --health-sigma, "
-                            "--sensor-noise and --process-noise are for files that do not. Remove them.");
+    throw files::FileError(path +
+                           ": states sample time, health sigma and noise itself; --sample-time, --health-sigma, "
+                           "--sensor-noise and --process-noise are for files that do not. Remove them.");
   }
 }
 
@@ -45,10 +45,9 @@ ImportedModel import_model(const std::string& path, const ImportOptions& options
   if (is_folder(path)) return assemble_model(read_csv_folder(path), options, sensor_capacity);
   if (is_mat_file(path)) return assemble_model(read_mat_file(path), options, sensor_capacity);
   if (is_csv_file(path)) {
-    throw design::FileError(path +
-                            ": is one matrix; allowed: a folder of them. Name the folder with A.csv, L.csv, ...");
+    throw files::FileError(path + ": is one matrix; allowed: a folder of them. Name the folder with A.csv, L.csv, ...");
   }
   return import_json(path, options, sensor_capacity);
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

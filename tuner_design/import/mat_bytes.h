@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// The first `size` (2 or 4) bytes at `at`; the caller has checked that they are there.
 inline std::uint32_t unsigned_at(std::string_view bytes, std::size_t at, std::size_t size, bool little_endian) {
@@ -17,4 +17,4 @@ inline std::uint32_t unsigned_at(std::string_view bytes, std::size_t at, std::si
   return value;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

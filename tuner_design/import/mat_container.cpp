@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "deploy/files/file_error.h"
-#include "deploy/files/input_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/input_file.h"
 #include "tuner_design/import/mat_bytes.h"
 #include "tuner_design/import/mat_element.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using files::FileError;
@@ -99,4 +99,4 @@ MatImage read_mat_image(const std::string& path) {
   return image;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -13,7 +13,7 @@
 
 #include "tuner_design/import/mat_object.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct MatImage {
   std::string bytes;               ///< header and miMATRIX elements
@@ -26,4 +26,4 @@ struct MatImage {
 ///         or inflates to more than 256 MB.
 MatImage read_mat_image(const std::string& path);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

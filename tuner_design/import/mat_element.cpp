@@ -6,7 +6,7 @@
 
 #include "tuner_design/import/mat_reader.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using namespace mat;
@@ -94,4 +94,4 @@ bool is_sound_array(std::string_view content, bool little_endian, int depth) {
          (!complex || holds_numbers(reader, *count));
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -7,9 +7,9 @@
 
 #include <string_view>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// `content` is what follows the tag of the miMATRIX element. Objects and functions are not looked into.
 bool is_sound_array(std::string_view content, bool little_endian, int depth = 0);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -13,12 +13,12 @@
 #include <string_view>
 #include <utility>
 
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/input_file.h"
 #include "tuner_design/import/mat_container.h"
 #include "tuner_design/import/mat_value.h"
-#include "deploy/files/input_file.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using files::FileError;
@@ -272,4 +272,4 @@ Variables read_mat_file(const std::string& path) {
   return result;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -6,7 +6,7 @@
 
 #include "tuner_design/import/variables.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// True if the name ends in .mat or the file begins as MATLAB's do.
 bool is_mat_file(const std::string& path);
@@ -15,4 +15,4 @@ bool is_mat_file(const std::string& path);
 ///         could be meant, or a variable that is not what it has to be (mat_value.h).
 Variables read_mat_file(const std::string& path);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

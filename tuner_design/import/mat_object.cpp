@@ -6,7 +6,7 @@
 
 #include "tuner_design/import/mat_reader.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using namespace mat;
@@ -123,4 +123,4 @@ std::string saved_otherwise(const MatObject& object) {
   return "Save what it holds as a matrix of numbers, or as a cell array of texts";
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

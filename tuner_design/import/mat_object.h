@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct MatObject {
   std::string name;        ///< of the variable; of a field: structure.field
@@ -27,4 +27,4 @@ std::string saved_otherwise(const MatObject& object);
 /// A model of MATLAB's toolboxes for control: ss, tf, idss ...
 bool is_system(const MatObject& object);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -10,7 +10,7 @@
 
 #include "tuner_design/import/mat_bytes.h"
 
-namespace ehm::bench::mat {
+namespace ehm::tuner_design::mat {
 
 inline constexpr std::uint32_t mi_int8 = 1, mi_uint8 = 2, mi_int32 = 5, mi_uint32 = 6, mi_matrix = 14;
 inline constexpr std::uint32_t class_cell = 1, class_struct = 2, class_object = 3, class_char = 4, class_sparse = 5,
@@ -57,4 +57,4 @@ class Reader {
   bool little_endian_;
 };
 
-}  // namespace ehm::bench::mat
+}  // namespace ehm::tuner_design::mat

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using files::FileError;
@@ -210,4 +210,4 @@ std::vector<std::string> mat_texts(const matvar_t& variable, const std::string& 
   return texts;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

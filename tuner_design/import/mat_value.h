@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// Any real numeric class, full or sparse, or logical, as double; complex only if its imaginary part is zero.
 /// `place` is file and variable, for messages.
@@ -19,4 +19,4 @@ Eigen::MatrixXd mat_numbers(const matvar_t& variable, const std::string& place);
 /// @throws files::FileError if it is no such thing.
 std::vector<std::string> mat_texts(const matvar_t& variable, const std::string& place);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -1,6 +1,6 @@
 #pragma once
 // What a user's file or folder states, by name, before it becomes a LinearModel; every format is read into this.
-// The names are those of the table in README.md, section "Your own engine as matrices".
+// The names are those of the table in deploy/docs/own_engine.md, "Names".
 
 #include <Eigen/Core>
 #include <array>
@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
-/// What they are: monitor/estimation/linear_model.h; Q and R are covariances per sample.
+/// What they are: engine_sim/linear_model/linear_model.h; Q and R are covariances per sample.
 inline constexpr std::array matrix_variables{"A", "B", "L", "C", "D", "M",
                                              "F", "G", "N", "Q", "R", "linearisation_error"};
 /// Ts as MATLAB has it: 0 continuous, -1 discrete with an unstated sample time.
@@ -44,4 +44,4 @@ struct Variables {
   }
 };
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

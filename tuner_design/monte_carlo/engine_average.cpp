@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "deploy/long_work/parallel_for.h"
+#include "deploy/runtime/long_work/parallel_for.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr std::size_t most_blocks = 1024;
@@ -42,7 +42,7 @@ EngineAverage average_over_engines(std::size_t engines, Eigen::Index size, unsig
   const std::size_t block_size = (engines + most_blocks - 1) / most_blocks;
   const std::size_t blocks = (engines + block_size - 1) / block_size;
   std::vector<Moments> moments(blocks, Moments(size));
-  work::parallel_for(
+  long_work::parallel_for(
       blocks, threads,
       [&](std::size_t block) {
         Eigen::VectorXd numbers(size);
@@ -67,4 +67,4 @@ EngineAverage average_over_engines(std::size_t engines, Eigen::Index size, unsig
   return average;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

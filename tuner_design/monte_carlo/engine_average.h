@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct EngineAverage {
   Eigen::VectorXd mean, standard_error;
@@ -23,4 +23,4 @@ using EngineWork = std::function<bool(std::size_t index, Eigen::VectorXd& number
 EngineAverage average_over_engines(std::size_t engines, Eigen::Index size, unsigned threads, const EngineWork& work,
                                    const std::function<void(std::size_t)>& done);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

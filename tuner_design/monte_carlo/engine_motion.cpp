@@ -1,9 +1,9 @@
 #include "tuner_design/monte_carlo/engine_motion.h"
 
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/matrix_vector_product.h"
-#include "monitor/estimation/stationary_covariance.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 using estimation::StateVector;
 
@@ -19,11 +19,11 @@ void add_random(const Matrix& root, RandomStream& random, StateVector& x) {
 
 }  // namespace
 
-EngineMotion::EngineMotion(const estimation::LinearModel& discrete, bool process_noise)
+EngineMotion::EngineMotion(const linear_model::LinearModel& discrete, bool process_noise)
     : moves_(process_noise),
       A_(discrete.A),
-      root_(estimation::covariance_root(discrete.process_noise)),
-      start_(estimation::covariance_root(estimation::stationary_covariance(discrete.A, discrete.process_noise))),
+      root_(linear_model::covariance_root(discrete.process_noise)),
+      start_(linear_model::covariance_root(linear_model::stationary_covariance(discrete.A, discrete.process_noise))),
       C_(discrete.C),
       F_(discrete.F) {}
 
@@ -49,4 +49,4 @@ void EngineMotion::add_to_auxiliary(estimation::AuxiliaryVector& z, const StateV
   if (moves_) estimation::add_product(F_, dx.data(), z.data());
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -5,18 +5,18 @@
 //
 // A, Q n x n, C m x n, F r x n of the discrete model; channel units. It is stationary from the first sample on,
 // cov(dx) = A cov(dx) A^T + Q: the engine has run before anybody looked at it. Health is constant meanwhile.
-// Errors: see stationary_covariance; none for a model that has passed design::check_model.
+// Errors: see stationary_covariance; none for a model that has passed linear_model::check_model.
 
+#include "engine_sim/linear_model/linear_model.h"
 #include "monitor/estimation/capacity.h"
-#include "monitor/estimation/linear_model.h"
 #include "tuner_design/monte_carlo/random_stream.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 class EngineMotion {
  public:
   /// `discrete` need not outlive this. Without `process_noise` dx stays 0, and no random number is drawn.
-  EngineMotion(const estimation::LinearModel& discrete, bool process_noise);
+  EngineMotion(const linear_model::LinearModel& discrete, bool process_noise);
 
   bool moves() const { return moves_; }
   /// dx of the first sample.
@@ -34,4 +34,4 @@ class EngineMotion {
   estimation::BoundedMatrix<estimation::max_auxiliary, estimation::max_states> F_;
 };
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -5,7 +5,7 @@
 #include "tuner_design/monte_carlo/kalman_experiment.h"
 #include "tuner_design/monte_carlo/map_experiment.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 // Expected cost of an engine on one core, for the progress bar only.
@@ -61,4 +61,4 @@ Evaluation evaluate(const design::Design& design, const EvaluateOptions& options
   return result;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

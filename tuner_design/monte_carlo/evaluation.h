@@ -4,7 +4,7 @@
 // operating point. Estimators: the monitor's own filter (kalman_experiment.h) and MAP on one noisy snapshot
 // (map_experiment.h).
 //
-// Squared errors are health in percent^2 and auxiliary outputs in reporting units^2 (monitor/estimation/scaling.h), as
+// Squared errors are health in percent^2 and auxiliary outputs in reporting units^2 (engine_sim/linear_model/scaling.h), as
 // in design::Design. The independent unit is the engine: standard error = standard deviation over engines / sqrt(n).
 // The same seed gives the same bytes on any number of threads.
 
@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "deploy/long_work/parallel_for.h"
+#include "deploy/runtime/long_work/parallel_for.h"
 #include "monitor/design/design.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// What the nonlinear truth's control holds at the design's trim (truth.h).
 enum class Hold { fan_speed, fuel_flow };
@@ -30,7 +30,7 @@ struct EvaluateOptions {
   double seconds = 30.0;                  ///< of a run, from a cold start
   double window = 10.0;                   ///< the last seconds of it, over which the error is averaged
   std::uint64_t seed = 1;
-  unsigned threads = work::all_cores();
+  unsigned threads = long_work::all_cores();
   Hold hold = Hold::fan_speed;
   double wear = 1.0;          ///< the engines' health is drawn so many times wider than the fleet's
   bool process_noise = true;  ///< the Kalman filter's engine moves by the model's w; without it it is in balance
@@ -73,4 +73,4 @@ using EvaluateProgress = std::function<void(double)>;
 Evaluation evaluate(
     const design::Design& design, const EvaluateOptions& options, const EvaluateProgress& progress = [](double) {});
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

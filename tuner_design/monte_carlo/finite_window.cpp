@@ -4,12 +4,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "monitor/estimation/discretise.h"
-#include "monitor/estimation/stationary_covariance.h"
+#include "engine_sim/linear_model/discretise.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
-#include "tuner_design/lyapunov.h"
+#include "tuner_design/math/lyapunov.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using design::ErrorByChannel;
@@ -25,7 +25,7 @@ struct Output {
 
 /// Filter and engine of the linear theory, scaled.
 struct Loop {
-  estimation::LinearModel model;
+  linear_model::LinearModel model;
   estimation::SteadyGain steady;
   Eigen::MatrixXd K, closed_loop, start, noise;  ///< S before the first sample; what each sample adds to S
   Output health, auxiliary;
@@ -37,9 +37,9 @@ Eigen::MatrixXd seen_through(const Eigen::MatrixXd& T, const Eigen::MatrixXd& co
 
 Loop loop_of(const design::Design& design, bool process_noise) {
   Loop loop;
-  loop.model = estimation::scaled(discretise(design.model), design.scaling);
+  loop.model = linear_model::scaled(discretise(design.model), design.scaling);
   loop.steady = estimation::steady_gain(loop.model);
-  const estimation::LinearModel& model = loop.model;
+  const linear_model::LinearModel& model = loop.model;
   const design::SubsetDesign& filter = design.full;
   const Eigen::Index n = model.A.rows(), p = model.L.cols(), r = model.F.rows(), t = filter.V.rows(), a = n + t;
   loop.K = filter.K;
@@ -49,7 +49,7 @@ Loop loop_of(const design::Design& design, bool process_noise) {
   if (process_noise) {
     const Eigen::MatrixXd I_KC = Eigen::MatrixXd::Identity(a, a) - filter.K * filter.C;
     loop.noise += seen_through(I_KC.leftCols(n), model.process_noise);
-    loop.start.topLeftCorner(n, n) = estimation::stationary_covariance(model.A, model.process_noise);
+    loop.start.topLeftCorner(n, n) = linear_model::stationary_covariance(model.A, model.process_noise);
   }
 
   loop.health.of_estimate.setZero(p, a);  // Th = [0, W]
@@ -132,4 +132,4 @@ ErrorByChannel settled_error(const design::Design& design, bool process_noise) {
           without(design.ssee.auxiliary, design.full.auxiliary_noise_covariance, loop.auxiliary)};
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

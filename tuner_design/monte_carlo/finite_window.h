@@ -1,6 +1,6 @@
 #pragma once
 // Theory of what an experiment measures: the filter's squared error, averaged over the last part of a run that starts
-// cold (THEORY section 4; [SG] leaves the theoretical error as future work).
+// cold (theory.md, section 4; [SG] leaves the theoretical error as future work).
 //
 // The engine has constant health and moves by dx about its balance, driven by w with the model's covariance Q, or stays
 // in it without process noise; it has done so before the first sample. With Acl = Axq - K C Axq, Qw = blkdiag(Q, 0), and
@@ -16,7 +16,7 @@
 
 #include "monitor/design/design.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// The last `averaged` samples of a run of `samples`.
 struct Window {
@@ -40,4 +40,4 @@ WindowError finite_window_error(const design::Design& design, const Window& wind
 /// The linear engine's error after endless time. @throws std::runtime_error if the closed loop is not stable.
 design::ErrorByChannel settled_error(const design::Design& design, bool process_noise);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -2,16 +2,16 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine_sim/linear_model/discretise.h"
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
-#include "monitor/estimation/discretise.h"
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/judge/fleet_watch.h"
 #include "tuner_design/monte_carlo/engine_average.h"
 #include "tuner_design/monte_carlo/engine_motion.h"
 #include "tuner_design/monte_carlo/random_stream.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using estimation::AuxiliaryVector;
@@ -171,4 +171,4 @@ Experiment kalman_experiment(const design::Design& design, const Truth& truth, c
   return result;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -16,7 +16,7 @@
 #include "tuner_design/monte_carlo/finite_window.h"
 #include "tuner_design/monte_carlo/truth.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct KalmanOptions {
   std::size_t runs = 375;
@@ -32,4 +32,4 @@ struct KalmanOptions {
 Experiment kalman_experiment(const design::Design& design, const Truth& truth, const KalmanOptions& options,
                              const std::function<void(std::size_t)>& done);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

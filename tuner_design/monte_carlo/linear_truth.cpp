@@ -1,7 +1,7 @@
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/monte_carlo/truth.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 Truth linear_truth(const design::Design& design) {
   const estimation::SteadyGain steady = estimation::steady_gain(design.model);
@@ -12,4 +12,4 @@ Truth linear_truth(const design::Design& design) {
           }};
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -1,26 +1,26 @@
 #include "tuner_design/monte_carlo/map_experiment.h"
 
-#include "monitor/estimation/discretise.h"
+#include "engine_sim/linear_model/discretise.h"
 #include "monitor/estimation/steady_gain.h"
-#include "tuner_design/map_estimator.h"
 #include "tuner_design/monte_carlo/engine_average.h"
 #include "tuner_design/monte_carlo/random_stream.h"
+#include "tuner_design/theory/map_estimator.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 /// Everything scaled.
 struct Snapshots {
-  estimation::LinearModel model;
+  linear_model::LinearModel model;
   estimation::SteadyGain steady, steady_of_controls;  ///< answers of sensors and outputs to health and to u
   Eigen::MatrixXd Ph, R;
 };
 
 Snapshots snapshots_of(const design::Design& design) {
   Snapshots snapshots;
-  snapshots.model = estimation::scaled(discretise(design.model), design.scaling);
+  snapshots.model = linear_model::scaled(discretise(design.model), design.scaling);
   snapshots.steady = estimation::steady_gain(snapshots.model);
-  estimation::LinearModel controlled = snapshots.model;
+  linear_model::LinearModel controlled = snapshots.model;
   controlled.L = controlled.B, controlled.M = controlled.D, controlled.N = controlled.G;
   snapshots.steady_of_controls = estimation::steady_gain(controlled);
   snapshots.Ph = snapshots.model.health_sigma.cwiseAbs2().asDiagonal();
@@ -105,4 +105,4 @@ std::vector<Experiment> map_experiment(const design::Design& design, const Eigen
   return results;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

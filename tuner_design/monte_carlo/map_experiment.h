@@ -9,7 +9,7 @@
 #include "tuner_design/monte_carlo/evaluation.h"
 #include "tuner_design/monte_carlo/truth.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct MapOptions {
   std::size_t engines = 100000;
@@ -22,4 +22,4 @@ struct MapOptions {
 std::vector<Experiment> map_experiment(const design::Design& design, const Eigen::MatrixXd& V, const Truth& truth,
                                        const MapOptions& options, const std::function<void(std::size_t)>& done);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

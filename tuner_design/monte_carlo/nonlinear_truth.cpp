@@ -3,16 +3,16 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine_sim/model/engines/jt9d.h"
-#include "engine_sim/model/steady.h"
-#include "tuner_design/engine_channels.h"
+#include "engine_sim/engines/jt9d.h"
+#include "engine_sim/model/solve/steady.h"
+#include "tuner_design/linearise/engine_channels.h"
 #include "tuner_design/monte_carlo/truth.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
-using estimation::Channel;
-using estimation::LinearModel;
+using linear_model::Channel;
+using linear_model::LinearModel;
 
 /// Position of each of the design's channels among the engine's.
 std::vector<Eigen::Index> positions(const std::vector<Channel>& wanted, const std::vector<Channel>& known,
@@ -40,7 +40,7 @@ Eigen::VectorXd trims(const std::vector<Channel>& channels) {
 /// The turbofan at the design's flight condition and controls.
 class Fleet {
  public:
-  Fleet(const LinearModel& model, Hold hold) : turbofan_(engine::jt9d()) {
+  Fleet(const LinearModel& model, Hold hold) : turbofan_(engine_sim::jt9d()) {
     if (model.engine_type != "jt9d" || !model.operating_point) {
       throw std::invalid_argument("nonlinear truth: the design is for the engine type '" + model.engine_type + "'" +
                                   (model.operating_point ? "" : " without operating_point") +
@@ -56,23 +56,23 @@ class Fleet {
     health_trim_ = trims(model.health), control_trim_ = trims(model.controls);
     set_trim(model);
     demand_ = demand_of(model, hold);
-    new_engine_ = engine::solve_steady(turbofan_, operation_, demand_);
+    new_engine_ = engine_sim::solve_steady(turbofan_, operation_, demand_);
   }
 
   std::optional<EngineInBalance> engine(const estimation::HealthVector& health) const {
-    engine::Operation worn = operation_;
+    engine_sim::Operation worn = operation_;
     for (std::size_t i = 0; i < health_.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       worn.health[static_cast<std::size_t>(health_[i])] = health_trim_(at) + health(at);
     }
     try {
-      const engine::SteadyPoint point = engine::solve_steady(turbofan_, worn, demand_, &new_engine_);
+      const engine_sim::SteadyPoint point = engine_sim::solve_steady(turbofan_, worn, demand_, &new_engine_);
       const Eigen::VectorXd outputs = outputs_of(layout_, point.gas);
       const Eigen::VectorXd controls = inputs_of(layout_, point).segment<engine_controls>(layout_.fuel());
       return EngineInBalance{outputs.segment<engine_sensors>(layout_.sensors())(sensors_) - sensor_trim_,
                              outputs.segment<engine_auxiliary>(layout_.auxiliary())(auxiliary_) - auxiliary_trim_,
                              controls(controls_) - control_trim_};
-    } catch (const engine::SolveError&) {
+    } catch (const engine_sim::SolveError&) {
       return std::nullopt;  // the caller counts these engines
     }
   }
@@ -81,8 +81,8 @@ class Fleet {
     std::ostringstream text;
     text << "nonlinear turbofan in balance, " << operation_.flight.altitude_m << " m, Mach " << operation_.flight.mach
          << ", ISA " << std::showpos << operation_.flight.delta_isa_k << std::noshowpos << " K, "
-         << (demand_.kind == engine::DemandKind::n1_rpm ? "fan speed held at " : "fuel flow held at ") << demand_.value
-         << (demand_.kind == engine::DemandKind::n1_rpm ? " rpm" : " kg/s");
+         << (demand_.kind == engine_sim::DemandKind::n1_rpm ? "fan speed held at " : "fuel flow held at ")
+         << demand_.value << (demand_.kind == engine_sim::DemandKind::n1_rpm ? " rpm" : " kg/s");
     return text.str();
   }
 
@@ -98,23 +98,23 @@ class Fleet {
       operation_.health[static_cast<std::size_t>(health_[i])] = health_trim_(static_cast<Eigen::Index>(i));
   }
 
-  engine::Demand demand_of(const LinearModel& model, Hold hold) const {
+  engine_sim::Demand demand_of(const LinearModel& model, Hold hold) const {
     if (hold == Hold::fuel_flow) {
-      if (operation_.fuel_flow_kg_s > 0.0) return {engine::DemandKind::fuel_flow_kg_s, operation_.fuel_flow_kg_s};
+      if (operation_.fuel_flow_kg_s > 0.0) return {engine_sim::DemandKind::fuel_flow_kg_s, operation_.fuel_flow_kg_s};
       throw std::invalid_argument("nonlinear truth: the design has no control fuel_flow (kg/s) with a trim above 0");
     }
     for (const Channel& state : model.states)
-      if (state.name == "Nf" && state.unit == "rpm") return {engine::DemandKind::n1_rpm, state.trim};
+      if (state.name == "Nf" && state.unit == "rpm") return {engine_sim::DemandKind::n1_rpm, state.trim};
     throw std::invalid_argument("nonlinear truth: the design has no state Nf (rpm) whose trim could be held");
   }
 
   EngineLayout layout_;
-  engine::Turbofan turbofan_;
+  engine_sim::Turbofan turbofan_;
   std::vector<Eigen::Index> sensors_, auxiliary_, health_, controls_;  ///< among the engine's channels
   Eigen::VectorXd sensor_trim_, auxiliary_trim_, health_trim_, control_trim_;
-  engine::Operation operation_;
-  engine::Demand demand_{};
-  engine::SteadyPoint new_engine_;
+  engine_sim::Operation operation_;
+  engine_sim::Demand demand_{};
+  engine_sim::SteadyPoint new_engine_;
 };
 
 }  // namespace
@@ -125,4 +125,4 @@ Truth nonlinear_truth(const design::Design& design, Hold hold) {
           [fleet](const estimation::HealthVector& health) { return fleet->engine(health); }};
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 double density(double x) {
@@ -55,4 +55,4 @@ double RandomStream::tail() {
   }
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

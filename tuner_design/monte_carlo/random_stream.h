@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// Layers of equal area under f(x) = exp(-x^2/2), from the widest, whose area holds the tail beyond `tail_start`.
 struct Ziggurat {
@@ -84,4 +84,4 @@ class RandomStream {
   std::array<std::uint64_t, 4> state_{};
 };
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -22,7 +22,7 @@
 #include "monitor/estimation/capacity.h"
 #include "tuner_design/monte_carlo/evaluation.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// Deviations from the design's trim, channel units, without noise.
 struct EngineInBalance {
@@ -46,4 +46,4 @@ Truth linear_truth(const design::Design& design);
 ///         that this engine does not know by name and unit; names it and what is known.
 Truth nonlinear_truth(const design::Design& design, Hold hold);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

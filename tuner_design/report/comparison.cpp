@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "tuner_design/report/bar_chart.h"
-#include "tuner_design/report/html_table.h"
 #include "tuner_design/report/limit_ratio.h"
+#include "tuner_design/report/page/bar_chart.h"
+#include "tuner_design/report/page/html_table.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 namespace {
 
 struct Compared {
@@ -100,4 +100,4 @@ void add_comparison(Section& section, const ReportData& data) {
       table);
 }
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

@@ -1,11 +1,11 @@
 #pragma once
 // The design beside everything it is compared with (tuner_design/baselines/baselines.h): a figure and a table.
 
-#include "tuner_design/report/page.h"
+#include "tuner_design/report/page/page.h"
 #include "tuner_design/report/report_data.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 
 void add_comparison(Section& section, const ReportData& data);
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

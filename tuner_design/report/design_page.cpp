@@ -1,9 +1,9 @@
 #include "tuner_design/report/design_page.h"
 
-#include "tuner_design/design_report.h"
-#include "tuner_design/report/sections.h"
+#include "tuner_design/print/design_report.h"
+#include "tuner_design/report/sections/sections.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 
 Page design_page(const design::Design& design, const Studies& studies) {
   const ReportData data = report_data(design, studies);
@@ -16,8 +16,9 @@ Page design_page(const design::Design& design, const Studies& studies) {
   if (!data.studies.papers.empty()) page.sections.insert(page.sections.end() - 2, papers_section(data));
   page.footer = "Made by " + design.options.created_by + " " + design.options.version + " from the design with hash " +
                 design.hash +
-                ". Equations: Simon & Garg, NASA/TM-2010-216077; error theory and limits as in the project's README.";
+                ". Equations: Simon & Garg, NASA/TM-2010-216077; error theory and limits as in the project's "
+                "deploy/docs/theory.md.";
   return page;
 }
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

@@ -3,9 +3,9 @@
 #include <Eigen/LU>
 
 #include "monitor/design/make_error_model.h"
-#include "tuner_design/prepared_point.h"
+#include "tuner_design/theory/prepared_point.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 namespace {
 
 /// `error` is (T M - target) of k unknowns with unit variance, the first p of them health.
@@ -48,10 +48,10 @@ ReportData report_data(design::Design design, Studies studies) {
   return data;
 }
 
-std::vector<std::string> names_of(const std::vector<estimation::Channel>& channels) {
+std::vector<std::string> names_of(const std::vector<linear_model::Channel>& channels) {
   std::vector<std::string> names;
-  for (const estimation::Channel& channel : channels) names.push_back(channel.name);
+  for (const linear_model::Channel& channel : channels) names.push_back(channel.name);
   return names;
 }
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

@@ -1,6 +1,6 @@
 #pragma once
 // What the sections of a report draw from: the design, and what follows from it. Scaled units throughout
-// (monitor/estimation/scaling.h): health and sensors in percent, auxiliary outputs in their reporting unit.
+// (engine_sim/linear_model/scaling.h): health and sensors in percent, auxiliary outputs in their reporting unit.
 
 #include <Eigen/Core>
 #include <string>
@@ -10,7 +10,7 @@
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/report/studies.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 
 /// Variances by channel; unseen + noise + linearisation = total.
 struct ErrorParts {
@@ -25,8 +25,8 @@ struct ErrorParts {
 struct ReportData {
   design::Design design;
   Studies studies;
-  estimation::LinearModel model;  ///< discrete and scaled
-  estimation::SteadyGain steady;  ///< of `model`
+  linear_model::LinearModel model;  ///< discrete and scaled
+  estimation::SteadyGain steady;    ///< of `model`
   ErrorParts health, auxiliary;
   Eigen::MatrixXd
       settled;  ///< p x p, percent: column j is the estimate that remains of one sigma of health parameter j
@@ -35,10 +35,10 @@ struct ReportData {
 /// @throws std::runtime_error if I - A of the model or of the filter is singular.
 ReportData report_data(design::Design design, Studies studies);
 
-std::vector<std::string> names_of(const std::vector<estimation::Channel>& channels);
+std::vector<std::string> names_of(const std::vector<linear_model::Channel>& channels);
 
 inline std::vector<double> values_of(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 namespace {
 
-Eigen::MatrixXd transition(const design::SubsetDesign& filter, const estimation::LinearModel& model) {
+Eigen::MatrixXd transition(const design::SubsetDesign& filter, const linear_model::LinearModel& model) {
   const Eigen::Index n = model.A.rows(), f = filter.A.rows(), p = model.L.cols();
   Eigen::MatrixXd Phi = Eigen::MatrixXd::Zero(n + f + p, n + f + p);
   Phi.topLeftCorner(n, n) = model.A;
@@ -30,7 +30,7 @@ Eigen::MatrixXd power(Eigen::MatrixXd base, std::int64_t exponent) {
 
 }  // namespace
 
-StepResponse step_response(const design::SubsetDesign& filter, const estimation::LinearModel& model, int points) {
+StepResponse step_response(const design::SubsetDesign& filter, const linear_model::LinearModel& model, int points) {
   const Eigen::Index n = model.A.rows(), f = filter.A.rows(), p = model.L.cols(), t = filter.W.cols();
   constexpr double settled = 5.0;
   const double samples = std::max(settled * filter.slowest_time_constant_s / model.sample_time_s, 10.0);
@@ -50,4 +50,4 @@ StepResponse step_response(const design::SubsetDesign& filter, const estimation:
   return response;
 }
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

@@ -1,5 +1,5 @@
 #pragma once
-// How the filter answers when health changes at once by h (THEORY section 4), engine dynamics included, no noise:
+// How the filter answers when health changes at once by h (theory.md, section 4), engine dynamics included, no noise:
 //   engine   x[k+1] = A x + L h             y[k] = C x[k] + M h
 //   filter   xhat[k+1] = Acl xhat[k] + K y[k+1],   Acl = (I - K Cxq) Axq,   hhat = [0, W] xhat
 // As one linear map of s = [x; xhat; h]:
@@ -11,7 +11,7 @@
 
 #include "monitor/design/design.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 
 struct StepResponse {
   std::vector<double> time_s;             ///< ascending, from 0, the moment of the step
@@ -19,6 +19,6 @@ struct StepResponse {
 };
 
 /// `model` is discrete and scaled. Lasts five of the slowest time constants in about `points` points.
-StepResponse step_response(const design::SubsetDesign& filter, const estimation::LinearModel& model, int points);
+StepResponse step_response(const design::SubsetDesign& filter, const linear_model::LinearModel& model, int points);
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

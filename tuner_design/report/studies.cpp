@@ -4,9 +4,9 @@
 #include <exception>
 
 #include "tuner_design/baselines/tuner_baselines.h"
-#include "tuner_design/choose_tuners.h"
+#include "tuner_design/design/choose_tuners.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 namespace {
 
 constexpr double fastest_qh = 1e-1, slowest_qh = 1e-6;
@@ -90,4 +90,4 @@ Studies run_studies(const design::Design& design, const StudyOptions& options) {
   return studies;
 }
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

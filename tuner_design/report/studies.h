@@ -8,11 +8,11 @@
 
 #include "monitor/design/design.h"
 #include "tuner_design/baselines/baselines.h"
+#include "tuner_design/design/response_time.h"
 #include "tuner_design/monte_carlo/evaluation.h"
-#include "tuner_design/search/response_time.h"
 #include "tuner_design/studies/simon_garg.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 
 /// The course of one start of the search: best J after each evaluation.
 struct SearchCourse {
@@ -38,4 +38,4 @@ struct StudyOptions {
 /// @throws as design_tuner.
 Studies run_studies(const design::Design& design, const StudyOptions& options);
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

@@ -1,8 +1,8 @@
 #include "tuner_design/report/trade_figures.h"
 
-#include "tuner_design/report/line_chart.h"
+#include "tuner_design/report/page/line_chart.h"
 
-namespace ehm::bench::report {
+namespace ehm::tuner_design::report {
 namespace {
 
 constexpr const char* time_title = "slowest time constant, s";
@@ -69,4 +69,4 @@ void add_trade_figures(Section& section, const ReportData& data) {
       panels(charts), trade_table(data.studies.trade));
 }
 
-}  // namespace ehm::bench::report
+}  // namespace ehm::tuner_design::report

@@ -4,7 +4,7 @@
 
 #include "tuner_design/search/row_space.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 /// S of all points.
@@ -35,4 +35,4 @@ std::optional<Eigen::MatrixXd> without_blind_tuner(const SearchProblem& problem,
   return row_space(result);
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -10,9 +10,9 @@
 
 #include "tuner_design/search/tuner_search.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// Orthonormal rows with the blind combination replaced; nullopt if none is blind.
 std::optional<Eigen::MatrixXd> without_blind_tuner(const SearchProblem& problem, const Eigen::MatrixXd& V);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -6,7 +6,7 @@
 #include "tuner_design/search/row_space.h"
 #include "tuner_design/search/tuner_search.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr double gain_is_nothing = 1e-8;    ///< of J
@@ -110,4 +110,4 @@ void certify(design::Certificate& certificate, const SearchProblem& problem, con
   judge(certificate, V.rows() == V.cols());
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -3,10 +3,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "tuner_design/doubling.h"
-#include "tuner_design/small_product.h"
+#include "tuner_design/math/doubling.h"
+#include "tuner_design/math/small_product.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using estimation::BoundedMatrix;
@@ -207,4 +207,4 @@ std::optional<double> kalman_objective(const PointProblem& point, const Eigen::M
   return value;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -12,19 +12,19 @@
 //   Kb   = U Gy^T + 2 Y K R - B Cxq^T,   Cxqb = -K^T B + ...
 //   Pb   = sym[(I - K Cxq)^T Kb S^-1 Cxq],  Phi = A'^T Phi A' + Pb,  A' = Axq (I - K Cxq), which is
 //          Phi = (I-KC)^T Phi' (I-KC) + Pb,  Phi' = Acl^T Phi' Acl + Axq^T Pb Axq
-// and dJ/dV is what of (dJ/dW)^T leaves the row space: only the row space of V matters (THEORY section 2 and 6). For
+// and dJ/dV is what of (dJ/dW)^T leaves the row space: only the row space of V matters (theory.md, sections 2, 6). For
 // rows that are not orthonormal, V = T Vo, the gradient is T^-T times that of Vo.
-// Source: own derivation; the Riccati derivative as in THEORY section 6. No allocation but the gradient's.
+// Source: own derivation; the Riccati derivative as in theory.md, section 6. No allocation but the gradient's.
 
 #include <optional>
 
 #include "tuner_design/search/point_problem.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// J of orthonormal rows V (t x p), and its gradient with respect to V (t x p, orthogonal to the rows of V) if asked
 /// for. nullopt if the Riccati equation has no solution or the closed loop is not stable: V is useless.
 std::optional<double> kalman_objective(const PointProblem& point, const Eigen::MatrixXd& V, double qh_percent2,
                                        Eigen::MatrixXd* gradient = nullptr);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

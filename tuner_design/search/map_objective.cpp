@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 std::optional<double> map_objective(const PointProblem& point, const Eigen::MatrixXd& V, Eigen::MatrixXd* gradient) {
   const Eigen::MatrixXd W = V.transpose();
@@ -41,4 +41,4 @@ std::optional<double> map_objective(const PointProblem& point, const Eigen::Matr
   return value;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -9,10 +9,10 @@
 
 #include "tuner_design/search/point_problem.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// As kalman_objective. nullopt if Hq Pq Hq^T + R is not positive definite.
 std::optional<double> map_objective(const PointProblem& point, const Eigen::MatrixXd& V,
                                     Eigen::MatrixXd* gradient = nullptr);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

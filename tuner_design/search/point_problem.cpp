@@ -4,10 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "monitor/estimation/stationary_covariance.h"
-#include "tuner_design/bayes_limit.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
+#include "tuner_design/theory/bayes_limit.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 void check_weights(const design::ErrorWeights& weights, Eigen::Index outputs) {
@@ -26,7 +26,7 @@ void check_weights(const design::ErrorWeights& weights, Eigen::Index outputs) {
 }
 
 /// Gh, Gy, Gz: the fleet's health, and the linearisation error where it is known.
-void add_unknowns(PointProblem& point, const estimation::LinearModel& model, const std::vector<int>& sensors) {
+void add_unknowns(PointProblem& point, const linear_model::LinearModel& model, const std::vector<int>& sensors) {
   const Eigen::Index p = model.L.cols(), m = model.C.rows(), r = model.F.rows();
   const auto used = static_cast<Eigen::Index>(sensors.size());
   const Eigen::Index more = model.linearisation_error.size() > 0 ? m + r : 0;
@@ -38,14 +38,14 @@ void add_unknowns(PointProblem& point, const estimation::LinearModel& model, con
   point.Gy.leftCols(p) = point.H * sigma;
   point.Gz.leftCols(p) = point.Hz * sigma;
   if (more == 0) return;
-  const Eigen::MatrixXd error = estimation::covariance_root(model.linearisation_error);
+  const Eigen::MatrixXd error = linear_model::covariance_root(model.linearisation_error);
   point.Gy.rightCols(more) = error(sensors, Eigen::all);
   point.Gz.rightCols(more) = error.bottomRows(r);
 }
 
 }  // namespace
 
-PointProblem make_point_problem(const estimation::LinearModel& model, const estimation::SteadyGain& steady,
+PointProblem make_point_problem(const linear_model::LinearModel& model, const estimation::SteadyGain& steady,
                                 const std::vector<int>& sensors, const design::ErrorWeights& weights) {
   const Eigen::Index r = model.F.rows();
   check_weights(weights, r);
@@ -85,4 +85,4 @@ PointProblem make_point_problem(const estimation::LinearModel& model, const esti
   return point;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

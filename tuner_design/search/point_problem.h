@@ -14,7 +14,7 @@
 #include "monitor/estimation/capacity.h"
 #include "monitor/estimation/steady_gain.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 using StateMatrix = estimation::BoundedMatrix<estimation::max_augmented, estimation::max_augmented>;
 
@@ -36,7 +36,7 @@ struct PointProblem {
 
 /// `model` discrete and scaled, `sensors` ascending indices. The limits are the Bayes limits of these very sensors.
 /// @throws std::invalid_argument if a weight is negative, not finite, all are zero, or their number is wrong.
-PointProblem make_point_problem(const estimation::LinearModel& model, const estimation::SteadyGain& steady,
+PointProblem make_point_problem(const linear_model::LinearModel& model, const estimation::SteadyGain& steady,
                                 const std::vector<int>& sensors, const design::ErrorWeights& weights);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

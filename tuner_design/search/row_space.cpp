@@ -4,7 +4,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 /// Columns that an orthogonal basis starts with: those of V^T; the rest span what they leave out.
@@ -45,4 +45,4 @@ Eigen::VectorXd RowSpaceChart::gradient(const Eigen::MatrixXd& V_gradient, const
   return X_gradient.reshaped();
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -1,6 +1,6 @@
 #pragma once
 // Row spaces: points of the Grassmannian Gr(t, p), of dimension t (p - t). A tuner matrix V and T V with T invertible
-// are the same tuners (THEORY section 2), so only the row space is searched, and only row spaces are compared.
+// are the same tuners (theory.md, section 2), so only the row space is searched, and only row spaces are compared.
 //   chart       V(X) = row_space(Vo + X No),  No = basis of what the rows of Vo leave out,  X t x (p - t)
 //               covers all but a set of measure zero; X = 0 is Vo
 //   gradient    dJ/dX = T^-T (dJ/dV) No^T,  Vo + X No = T V,  dJ/dV at the orthonormal V, orthogonal to its rows
@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// Orthonormal basis, t x p, of the row space of V (t x p, full row rank), with the sign of a QR decomposition whose
 /// triangle has a positive diagonal: the same rows on every machine.
@@ -35,4 +35,4 @@ class RowSpaceChart {
   Eigen::MatrixXd complement_;  ///< No, (p - t) x p, orthonormal rows
 };
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -6,17 +6,17 @@
 #include <random>
 #include <stdexcept>
 
-#include "deploy/long_work/parallel_for.h"
+#include "deploy/runtime/long_work/parallel_for.h"
+#include "tuner_design/math/solver_error.h"
 #include "tuner_design/search/blind_tuner.h"
 #include "tuner_design/search/kalman_objective.h"
 #include "tuner_design/search/map_objective.h"
 #include "tuner_design/search/row_space.h"
-#include "tuner_design/solver_error.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
-constexpr double no_filter = 1e12;       ///< NLopt needs a finite number (THEORY section 10)
+constexpr double no_filter = 1e12;       ///< NLopt needs a finite number (theory.md, section 10)
 constexpr int evaluations_a_chart = 40;  ///< then the chart is centred anew: far out it is badly scaled
 constexpr int max_charts = 60;
 constexpr double gradient_vanishes = 1e-8;  ///< of J
@@ -200,7 +200,7 @@ SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& op
     starts.insert(starts.end(), more.begin(), more.end());
   }
   std::vector<Ended> ends(starts.size());
-  work::parallel_for(
+  long_work::parallel_for(
       starts.size(), options.threads, [&](std::size_t i) { ends[i] = search_from(problem, starts[i]); },
       [&](std::size_t done) { options.progress(static_cast<double>(done) / static_cast<double>(starts.size())); });
 
@@ -220,4 +220,4 @@ SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& op
   return result;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -6,7 +6,7 @@
 // replaced (blind_tuner.h), and the descent goes on. From each start: the given ones and `random_starts`
 // seeded random row spaces; starts are independent, so that the result is the same on any number of threads. The
 // Hessian at the best point, by differences of gradients, tells a minimum from a saddle and what could still be gained.
-// Source: THEORY sections 5, 6, 10.
+// Source: theory.md, sections 5, 6, 10.
 
 #include <cstdint>
 #include <functional>
@@ -16,7 +16,7 @@
 #include "monitor/design/certificate.h"
 #include "tuner_design/search/point_problem.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 enum class Estimator { kalman, map };
 
@@ -64,4 +64,4 @@ SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& op
 /// points; `starts` must be there already (none: V was not searched).
 void certify(design::Certificate& certificate, const SearchProblem& problem, const Eigen::MatrixXd& V);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -4,10 +4,10 @@
 #include <bit>
 #include <tuple>
 
-#include "deploy/long_work/parallel_for.h"
+#include "deploy/runtime/long_work/parallel_for.h"
 #include "tuner_design/sensors/subset_bounds.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 /// What a dearer set must reach: better by more than the solvers' rounding, or a useless sensor would be bought for it.
@@ -65,7 +65,7 @@ SensorFront sensor_front(const SensorProblem& problem, const SensorChoice& choic
   for (std::size_t at = 0; at < sets.size();) {
     const std::vector<Candidate> batch = next_batch(sets, at, best);
     std::vector<std::optional<SensorSetValue>> values(batch.size());
-    work::parallel_for(batch.size(), threads, [&](std::size_t i) { values[i] = value_of(problem, batch[i].set); });
+    long_work::parallel_for(batch.size(), threads, [&](std::size_t i) { values[i] = value_of(problem, batch[i].set); });
     front.filters += batch.size();
     for (std::size_t i = 0; i < batch.size(); ++i) {
       if (!values[i] || !(values[i]->merit < to_beat(best))) continue;
@@ -86,4 +86,4 @@ std::vector<std::optional<SensorSetValue>> without_each(const SensorProblem& pro
   return values;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -12,7 +12,7 @@
 
 #include "tuner_design/sensors/sensor_set.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct SensorChoice {
   std::vector<double> cost;  ///< of each candidate, not negative
@@ -44,4 +44,4 @@ SensorFront sensor_front(
 /// [i]: all candidates but i; nullopt where these are worth nothing.
 std::vector<std::optional<SensorSetValue>> without_each(const SensorProblem& problem);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "tuner_design/design_tuner.h"
-#include "tuner_design/prepared_point.h"
+#include "tuner_design/design/design_tuner.h"
+#include "tuner_design/theory/prepared_point.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 std::vector<int> indices(CandidateSet set) {
@@ -21,7 +21,7 @@ std::vector<int> indices(CandidateSet set) {
 
 }  // namespace
 
-SensorProblem sensor_problem(const estimation::LinearModel& model, double qh_percent2,
+SensorProblem sensor_problem(const linear_model::LinearModel& model, double qh_percent2,
                              const design::ErrorWeights& weights) {
   if (model.sensors.size() > static_cast<std::size_t>(max_candidates)) {
     throw std::invalid_argument("sensors: " + std::to_string(model.sensors.size()) + " candidates; allowed: at most " +
@@ -56,4 +56,4 @@ std::optional<SensorSetValue> value_of(const SensorProblem& problem, CandidateSe
   return value;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

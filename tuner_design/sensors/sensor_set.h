@@ -10,15 +10,15 @@
 #include <cstdint>
 #include <optional>
 
-#include "tuner_design/relative_error.h"
+#include "tuner_design/theory/relative_error.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 using CandidateSet = std::uint32_t;
 inline constexpr int max_candidates = 20;
 
 struct SensorProblem {
-  estimation::LinearModel model;  ///< discrete, scaled, with every candidate
+  linear_model::LinearModel model;  ///< discrete, scaled, with every candidate
   estimation::SteadyGain steady;
   RelativeError merit;
   design::ErrorWeights weights;
@@ -34,10 +34,10 @@ struct SensorSetValue {
   double slowest_time_constant_s = 0.0;
 };
 
-/// `model` has passed design::check_model, but may have up to 20 sensors.
+/// `model` has passed linear_model::check_model, but may have up to 20 sensors.
 /// @throws std::invalid_argument if it has more; std::runtime_error if it has no steady state; what
 ///         make_point_problem throws of the weights.
-SensorProblem sensor_problem(const estimation::LinearModel& model, double qh_percent2,
+SensorProblem sensor_problem(const linear_model::LinearModel& model, double qh_percent2,
                              const design::ErrorWeights& weights = {});
 
 /// J of the fleet itself, without any sensor.
@@ -46,4 +46,4 @@ double fleet_merit(const SensorProblem& problem);
 /// nullopt if no filter on these sensors keeps every sigma within the fleet's own: they are worth nothing.
 std::optional<SensorSetValue> value_of(const SensorProblem& problem, CandidateSet set);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

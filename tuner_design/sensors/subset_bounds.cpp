@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "tuner_design/observability.h"
+#include "tuner_design/theory/observability.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 class Walk {
@@ -63,4 +63,4 @@ std::vector<double> subset_bounds(const SensorProblem& problem) {
   return bounds;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -1,6 +1,6 @@
 #include "tuner_design/studies/published_tables.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr std::array<PublishedRow, 18> table_4{{
@@ -86,4 +86,4 @@ std::span<const PublishedRow> published_table(int table) {
   }
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

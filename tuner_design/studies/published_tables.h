@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct PublishedRow {
   const char* tuners;             ///< "10 health parameters", "a" to "h", "subset of 7"
@@ -22,4 +22,4 @@ constexpr std::size_t published_channels(int table) {
 /// Rows of table 4, 5, 6 or 7; empty for any other number.
 std::span<const PublishedRow> published_table(int table);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "tuner_design/baselines/tuner_baselines.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 #include "tuner_design/search/tuner_search.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 using design::Tuning;
@@ -61,7 +61,7 @@ StudyRow row_of(const Row& row, const Experiment& experiment) {
 
 }  // namespace
 
-SimonGargStudy run_simon_garg(const estimation::LinearModel& model, const SimonGargOptions& options,
+SimonGargStudy run_simon_garg(const linear_model::LinearModel& model, const SimonGargOptions& options,
                               const EvaluateProgress& progress) {
   if (options.table < 4 || options.table > 7)
     throw std::invalid_argument("study: table " + std::to_string(options.table) + "; allowed are 4, 5, 6, 7");
@@ -100,4 +100,4 @@ SimonGargStudy run_simon_garg(const estimation::LinearModel& model, const SimonG
   return study;
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -14,7 +14,7 @@
 
 #include "tuner_design/monte_carlo/evaluation.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 struct SimonGargOptions {
   int table = 4;  ///< 4 or 5: MAP; 6 or 7: Kalman filter
@@ -33,8 +33,8 @@ struct StudyRow {
 };
 
 struct SimonGargStudy {
-  estimation::LinearModel model;
-  estimation::Scaling scaling;
+  linear_model::LinearModel model;
+  linear_model::Scaling scaling;
   SimonGargOptions options;
   std::string truth;  ///< one line: what the experiments fly on
   std::vector<StudyRow> rows;
@@ -46,7 +46,7 @@ struct SimonGargStudy {
 ///         or, for 5 and 7, no auxiliary outputs.
 /// @throws as design_tuner and evaluate.
 SimonGargStudy run_simon_garg(
-    const estimation::LinearModel& model, const SimonGargOptions& options,
+    const linear_model::LinearModel& model, const SimonGargOptions& options,
     const EvaluateProgress& progress = [](double) {});
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -6,7 +6,7 @@
 
 #include "tuner_design/studies/published_tables.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr double rankine2_per_kelvin2 = 3.24;
@@ -132,4 +132,4 @@ void print_study(const SimonGargStudy& study, std::ostream& out) {
   }
 }
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -9,7 +9,7 @@
 
 #include "tuner_design/studies/simon_garg.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 
 /// One line of the table: ours or theirs.
 struct TableLine {
@@ -31,4 +31,4 @@ std::string study_csv(const SimonGargStudy& study);
 nlohmann::ordered_json study_as_json(const SimonGargStudy& study);
 void print_study(const SimonGargStudy& study, std::ostream& out);
 
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

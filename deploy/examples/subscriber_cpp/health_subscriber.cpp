@@ -8,11 +8,11 @@
 
 int main(int argc, char** argv) {
   using namespace ehm;
-  wire::ParticipantOptions options;
+  idl::ParticipantOptions options;
   options.domain = argc > 1 ? static_cast<std::uint32_t>(std::atoi(argv[1])) : 0;
-  wire::Participant participant(options);
-  wire::Reader<EngineDescription> descriptions(participant);
-  wire::Reader<EngineHealth> estimates(participant);
+  idl::Participant participant(options);
+  idl::Reader<EngineDescription> descriptions(participant);
+  idl::Reader<EngineHealth> estimates(participant);
   eprosima::fastdds::dds::WaitSet wait_set;
   wait_set.attach_condition(estimates.condition());
 
@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     eprosima::fastdds::dds::ConditionSeq triggered;
     wait_set.wait(triggered, eprosima::fastrtps::Duration_t(1.0L));
     while (descriptions.take(heard))
-      if (heard.role() == static_cast<std::uint32_t>(wire::DescriptionRole::monitor)) description = heard;
+      if (heard.role() == static_cast<std::uint32_t>(idl::DescriptionRole::monitor)) description = heard;
     while (estimates.take(health)) {
       if (description.health_count() == 0) continue;  // names and units are on their way
       std::printf("engine %u sample %llu:", health.engine_id(),

@@ -70,7 +70,7 @@ TEST_F(HostileClientTest, DoesNotDisturbTheCycle) {
   for (std::size_t i = 1; i < listener_.health.size(); ++i)
     ASSERT_EQ(listener_.health[i].sequence_number(), listener_.health[i - 1].sequence_number() + 1);
   EXPECT_EQ(listener_.status.back().samples_lost(), 0u);
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::input_lost, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::input_lost, true));
   ASSERT_TRUE(listener_.await([&] { return get("/health").status == 200; }));
   EXPECT_LE(scrape().value("process_open_fds"), descriptors);  // nothing of the crowd is left
   EXPECT_GT(scrape().value("ehm_samples_processed_total"), 150.0);

@@ -67,7 +67,7 @@ TEST_F(ListenTest, SwappedChannelsAreNamed) {
 
 TEST_F(ListenTest, SaysWhichPolicyKeepsAWriterOut) {
   auto* topic = participant_.topic("EngineSensors", eprosima::fastdds::dds::TypeSupport(new EngineSensorsPubSubType()));
-  auto qos = wire::writer_qos(wire::Delivery::stream, false, {});
+  auto qos = idl::writer_qos(idl::Delivery::stream, false, {});
   qos.reliability().kind = eprosima::fastdds::dds::BEST_EFFORT_RELIABILITY_QOS;
   auto* writer = participant_.publisher()->create_datawriter(topic, qos);
   ASSERT_NE(writer, nullptr);

@@ -90,15 +90,15 @@ TEST_F(MetricsTest, SayWhatTheStatusSays) {
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 30; }));
   SimCommand fault;
   fault.engine_id(1);
-  fault.schema(wire::schema_version);
-  fault.kind(static_cast<std::uint32_t>(wire::SimCommandKind::sensor_fault));
+  fault.schema(idl::schema_version);
+  fault.kind(static_cast<std::uint32_t>(idl::SimCommandKind::sensor_fault));
   fault.channel(4);
-  fault.fault(static_cast<std::uint32_t>(wire::SensorFaultKind::dropout));
-  wire::Writer<SimCommand> commands(participant_);
+  fault.fault(static_cast<std::uint32_t>(idl::SensorFaultKind::dropout));
+  idl::Writer<SimCommand> commands(participant_);
   ASSERT_TRUE(listener_.await([&] { return commands.matched() == 1; }));
   const Exposition before = scrape();
   ASSERT_TRUE(commands.write(fault));
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::sensor_fault, true); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::sensor_fault, true); }));
   const Exposition after = scrape();
   expect_good_names(after);
   expect_grown(before, after);
@@ -109,7 +109,7 @@ TEST_F(MetricsTest, SayWhatTheStatusSays) {
   sensor_fault["kind"] = "sensor_fault";
   EXPECT_EQ(before.value("ehm_events_total", sensor_fault), 0.0);
   EXPECT_EQ(after.value("ehm_events_total", sensor_fault), 1.0);
-  const auto* event = listener_.find_event(wire::EventKind::sensor_fault, true);
+  const auto* event = listener_.find_event(idl::EventKind::sensor_fault, true);
   sensor_fault["channel"] = event->channel_name().c_str();
   EXPECT_EQ(after.value("ehm_condition_active", sensor_fault), 1.0);
   EXPECT_EQ(get("/ready").status, 200);
@@ -118,7 +118,7 @@ TEST_F(MetricsTest, SayWhatTheStatusSays) {
   simulator->signal(SIGTERM);
   ASSERT_TRUE(listener_.await([&] {
     return !listener_.status.empty() &&
-           listener_.status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale);
+           listener_.status.back().level() == static_cast<std::uint32_t>(idl::StatusLevel::stale);
   }));
   // Without input nothing is counted any more: the last status is the truth for every later scrape.
   expect_equal(scrape(), listener_.status.back());

@@ -19,7 +19,7 @@ class UnreadableTest : public WatchedPairTest {
  protected:
   /// The middleware of the test itself complains of each message that is too long.
   UnreadableTest() {
-    wire::hear_middleware([](const wire::MiddlewareMessage&) {}, wire::MiddlewareLevel::errors);
+    idl::hear_middleware([](const idl::MiddlewareMessage&) {}, idl::MiddlewareLevel::errors);
   }
   /// `odd`: "" or the name of an odd IDL; sends at once and without end once a reader matches.
   std::unique_ptr<Process> start_peer(const std::string& odd, const std::string& mode = "feed") {
@@ -29,7 +29,7 @@ class UnreadableTest : public WatchedPairTest {
   std::vector<std::string> said(bool raised) const {
     std::vector<std::string> messages;
     for (const HealthEvent& e : listener_.events)
-      if (e.kind() == static_cast<std::uint32_t>(wire::EventKind::unreadable_peer) && (e.raised() != 0) == raised)
+      if (e.kind() == static_cast<std::uint32_t>(idl::EventKind::unreadable_peer) && (e.raised() != 0) == raised)
         messages.emplace_back(e.message().c_str());
     return messages;
   }
@@ -68,13 +68,13 @@ TEST_F(UnreadableTest, AnAppendableTypeIsNamed) {
 
 TEST_F(UnreadableTest, AnotherNameOfTheTypeIsNamed) {
   const auto monitor = start_watched_monitor();
-  wire::ParticipantOptions named = options(domain_);
+  idl::ParticipantOptions named = options(domain_);
   named.name = "the odd one";
-  wire::Participant odd(named);
+  idl::Participant odd(named);
   eprosima::fastdds::dds::TypeSupport type(new EngineSensorsPubSubType());
   type->setName("rig::EngineSensors");
   auto* writer = odd.publisher()->create_datawriter(odd.topic("EngineSensors", type),
-                                                    wire::writer_qos(wire::Delivery::stream, false, {}));
+                                                    idl::writer_qos(idl::Delivery::stream, false, {}));
   ASSERT_NE(writer, nullptr);
   EXPECT_THAT(only_message(),
               AllOf(HasSubstr("topic EngineSensors: the writer of participant 'the odd one' at "),

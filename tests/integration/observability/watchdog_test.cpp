@@ -7,7 +7,7 @@
 #include <csignal>
 #include <thread>
 
-#include "deploy/service/watchdog.h"
+#include "deploy/runtime/service/watchdog.h"
 #include "tests/integration/observability/notify_socket.h"
 #include "tests/integration/observability/stopped_thread.h"
 #include "tests/integration/observability/watched_pair.h"

@@ -110,13 +110,13 @@ TEST_F(OperatorTest, AWrongCommandLineIsTwo) {
 
 // A simulator of before there were replies: it reads orders and describes its engine, and that is all.
 TEST_F(OperatorTest, WhoCannotAnswerIsSaidToBeSilent) {
-  wire::Reader<SimCommand> commands(participant_);
-  wire::Writer<EngineDescription> descriptions(participant_);
+  idl::Reader<SimCommand> commands(participant_);
+  idl::Writer<EngineDescription> descriptions(participant_);
   EngineDescription d;
   d.engine_id(7);
   d.source_id(4);
-  d.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
-  d.schema(wire::schema_version);
+  d.role(static_cast<std::uint32_t>(idl::DescriptionRole::source));
+  d.schema(idl::schema_version);
   d.sensor_count(1);
   d.sensors()[0].name() = "EGT";
   d.sensors()[0].unit() = "degC";
@@ -137,7 +137,7 @@ TEST_F(OperatorTest, AResetReachesTheMonitor) {
   const auto simulator = start_simulator();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 20; }));
   const Outcome outcome = order({"reset"});
-  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }))
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::filter_restart, true); }))
       << outcome.said;
   EXPECT_THAT(outcome.said, HasSubstr("engine 1: reset of the filter\n1 reader of MonitorCommand"));
   // A monitor that answers makes it 0; one of before there were replies is said to be silent.
@@ -145,15 +145,15 @@ TEST_F(OperatorTest, AResetReachesTheMonitor) {
 }
 
 TEST_F(OperatorTest, AResetOfEveryEngineIsAnsweredByWhoHearsIt) {
-  wire::Reader<MonitorCommand> commands(participant_);
-  wire::Writer<CommandReply> replies(participant_);
+  idl::Reader<MonitorCommand> commands(participant_);
+  idl::Writer<CommandReply> replies(participant_);
   Process tool({EHM_COMMAND, "--domain", std::to_string(domain_), "reset", "--engine", "0"});
   MonitorCommand heard;
   ASSERT_TRUE(listener_.await([&] { return commands.take(heard); })) << tool.log();
   EXPECT_EQ(heard.engine_id(), 0u);
   CommandReply reply;
   reply.source_id(102);
-  reply.role(static_cast<std::uint32_t>(wire::DescriptionRole::monitor));
+  reply.role(static_cast<std::uint32_t>(idl::DescriptionRole::monitor));
   reply.request(heard.request() + 1);  // another operator's
   replies.write(reply);
   reply.request(heard.request());

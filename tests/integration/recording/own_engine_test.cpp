@@ -70,7 +70,7 @@ TEST_F(OwnEngineTest, IsEstimatedWithinItsSigmaAndItsSensorFaultIsNamed) {
   ASSERT_TRUE(listener_.await(
       [&] {
         judge();
-        return !simulator->running() && listener_.has_event(wire::EventKind::sensor_fault, true);
+        return !simulator->running() && listener_.has_event(idl::EventKind::sensor_fault, true);
       },
       seconds(40)))
       << simulator->log() << monitor_->log();
@@ -78,14 +78,14 @@ TEST_F(OwnEngineTest, IsEstimatedWithinItsSigmaAndItsSensorFaultIsNamed) {
   EXPECT_DOUBLE_EQ(listener_.truth.rbegin()->second.health()[4], -0.02);
   EXPECT_GT(worst_before, 0.0);
   EXPECT_LT(worst_before, 4.5);  // of ten parameters, over 30 s
-  EXPECT_STREQ(listener_.find_event(wire::EventKind::sensor_fault, true)->channel_name().c_str(), "T30");
+  EXPECT_STREQ(listener_.find_event(idl::EventKind::sensor_fault, true)->channel_name().c_str(), "T30");
   EXPECT_EQ(listener_.status.back().samples_lost(), 0u);
   const auto described = std::find_if(listener_.descriptions.begin(), listener_.descriptions.end(), [](const auto& d) {
-    return d.role() == static_cast<std::uint32_t>(wire::DescriptionRole::source);
+    return d.role() == static_cast<std::uint32_t>(idl::DescriptionRole::source);
   });
   ASSERT_NE(described, listener_.descriptions.end());
   EXPECT_STREQ(described->sensors()[5].name().c_str(), "T30");
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::source_channels, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::source_channels, true));
 }
 
 TEST_F(OwnEngineTest, WithoutControlsIsFlownRecordedAndReplayed) {
@@ -132,15 +132,15 @@ TEST_F(OwnEngineTest, TheBiasOfOneOfTwoProbesOfTheSameIsNamed) {
       "scenario.toml", "[[sensor_fault]]\nsensor = \"T48b\"\nkind = \"bias\"\ntime_s = 22.5\nmagnitude = " +
                            std::to_string(bias) + "\n");
   const auto simulator = fly(model_file, {"--config", scenario, "--run-duration-s", "30", "--rate", "max"});
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::sensor_fault, true); }))
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::sensor_fault, true); }))
       << simulator->log() << monitor_->log();
-  const HealthEvent* named = listener_.find_event(wire::EventKind::sensor_fault, true);
+  const HealthEvent* named = listener_.find_event(idl::EventKind::sensor_fault, true);
   EXPECT_GE(named->sequence_number(), onset);
   EXPECT_EQ(named->channel(), 7u) << named->message();
   EXPECT_THAT(std::string(named->message().c_str()), HasSubstr("T48b"));
   EXPECT_NEAR(named->value(), bias, 0.3 * bias);
   ASSERT_TRUE(await_end(*simulator));
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::health_shift, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::health_shift, true));
 }
 
 TEST_F(OwnEngineTest, ADesignInOtherUnitsIsTakenInFlight) {
@@ -162,14 +162,14 @@ TEST_F(OwnEngineTest, ADesignInOtherUnitsIsTakenInFlight) {
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 200; })) << simulator->log();
   configure(after);
   monitor_->signal(SIGHUP);
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::configuration, false); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::configuration, false); }));
   const std::size_t flown = listener_.residuals.size();
   ASSERT_TRUE(listener_.await([&] { return listener_.residuals.size() > flown + 200; }));
   simulator->signal(SIGINT);
   ASSERT_TRUE(await_end(*simulator));
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() == listener_.residuals.size(); }))
       << "a sample without an estimate";
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::source_channels, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::source_channels, true));
   for (std::size_t k = flown; k < listener_.residuals.size(); ++k) {
     ASSERT_EQ(listener_.residuals[k].fused(), 0b1111111u) << k;
     ASSERT_NEAR(listener_.residuals[k].innovation()[6], 0.0, 40.0) << k;  // T48; unconverted it were 273

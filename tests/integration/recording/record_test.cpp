@@ -8,9 +8,9 @@
 #include <cstring>
 #include <filesystem>
 
-#include "deploy/files/csv_table.h"
-#include "deploy/recording/part_files.h"
-#include "deploy/recording/recording_rows.h"
+#include "deploy/runtime/files/csv_table.h"
+#include "deploy/runtime/recording/part_files.h"
+#include "deploy/runtime/recording/recording_rows.h"
 #include "tests/integration/engine_samples.h"
 #include "tests/integration/pair.h"
 #include "tests/temporary_folder.h"
@@ -115,9 +115,8 @@ TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalT
   }
   for (const EngineSensors& sensors : listener_.sensors)
     ASSERT_TRUE(same_bits(samples.at(sensors.sequence_number()).x_s, sensors.sensor(), sensors.sensor_count()));
-  const auto degraded = std::count_if(samples.begin(), samples.end(), [](const Row& row) {
-    return (row.a.flags & wire::estimate_flag::degraded) != 0;
-  });
+  const auto degraded = std::count_if(samples.begin(), samples.end(),
+                                      [](const Row& row) { return (row.a.flags & idl::estimate_flag::degraded) != 0; });
   EXPECT_GT(degraded, 100);  // the fault was there
 
   EXPECT_THAT(offline("online.h5", "offline.h5"),
@@ -148,8 +147,8 @@ TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalT
 TEST_F(RecordTest, BadSamplesResetsSilenceAndASecondSourceAreRepeatedOffline) {
   auto monitor = record("online.h5");
   EngineSamples samples(design_file(), 5);
-  wire::Writer<EngineSensors> writer(participant_);
-  wire::Writer<MonitorCommand> commands(participant_);
+  idl::Writer<EngineSensors> writer(participant_);
+  idl::Writer<MonitorCommand> commands(participant_);
   ASSERT_TRUE(listener_.await([&] { return writer.matched() == 2 && commands.matched() == 1; }));
   std::uint64_t sent = 0;
   const auto send = [&](const EngineSensors& sample) {
@@ -175,13 +174,13 @@ TEST_F(RecordTest, BadSamplesResetsSilenceAndASecondSourceAreRepeatedOffline) {
 
   MonitorCommand reset;
   reset.engine_id(5);
-  reset.schema(wire::schema_version);
-  reset.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+  reset.schema(idl::schema_version);
+  reset.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
   commands.write(reset);
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::filter_restart, true); }));
   for (int k = 0; k < 50; ++k) send(samples.next());
   ASSERT_TRUE(await_received(5, sent));
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::input_lost, true); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::input_lost, true); }));
   samples.set_source(10);  // takes over, now that the first is silent
   for (int k = 0; k < 50; ++k) send(samples.next());
   ASSERT_TRUE(await_received(5, sent));
@@ -241,7 +240,7 @@ TEST_F(RecordTest, AFullDiskPausesTheRecordingAndNotTheMonitor) {
                        folder_.path("full.h5") + "'"});
   fly("60");
   ASSERT_TRUE(listener_.await([&] {
-    return listener_.status.back().records_lost() > 0 && listener_.has_event(wire::EventKind::recording, true);
+    return listener_.status.back().records_lost() > 0 && listener_.has_event(idl::EventKind::recording, true);
   }));
   EXPECT_TRUE(listener_.await([&] { return listener_.status.back().samples_processed() == 4000u; }));  // it went on
   EXPECT_THAT(monitor.log(), HasSubstr("recording has stopped, the monitor goes on"));
@@ -263,8 +262,8 @@ TEST_F(RecordTest, AFolderThatCannotBeWrittenPreventsNoFlight) {
   const auto monitor = record("nowhere/flight.h5", {"--checkpoint-directory", "/proc/nowhere"});
   fly("3");
   EXPECT_TRUE(listener_.await([&] { return listener_.status.back().samples_processed() == 200u; })) << monitor->log();
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::recording, true));
-  EXPECT_TRUE(listener_.has_event(wire::EventKind::checkpoint, true));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::recording, true));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::checkpoint, true));
   EXPECT_GE(listener_.status.back().records_lost(), 200u);
   stop(*monitor);
 }

@@ -5,8 +5,8 @@
 
 #include <csignal>
 
-#include "deploy/files/csv_table.h"
-#include "deploy/recording/recording_rows.h"
+#include "deploy/runtime/files/csv_table.h"
+#include "deploy/runtime/recording/recording_rows.h"
 #include "tests/integration/engine_samples.h"
 #include "tests/integration/pair.h"
 #include "tests/temporary_folder.h"
@@ -116,8 +116,8 @@ class DescribedSourceTest : public UnitsTest {
     EngineDescription d;
     d.engine_id(1);
     d.source_id(9);
-    d.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
-    d.schema(wire::schema_version);
+    d.role(static_cast<std::uint32_t>(idl::DescriptionRole::source));
+    d.schema(idl::schema_version);
     d.sensor_count(7);
     for (std::size_t i = 0; i < 7; ++i) {
       d.sensors()[i].name() = us[i].name;
@@ -135,7 +135,7 @@ class DescribedSourceTest : public UnitsTest {
     return d;
   }
   /// Until the monitor hears us, and we hear it: by samples of another engine.
-  void meet(wire::Writer<EngineSensors>& sensors) {
+  void meet(idl::Writer<EngineSensors>& sensors) {
     EngineSamples other(design_file(), 2);
     ASSERT_TRUE(listener_.await([&] { return sensors.matched() == 2; }));  // the monitor and the listener
     const auto answered = [&] { return !listener_.residuals.empty(); };
@@ -153,7 +153,7 @@ class DescribedSourceTest : public UnitsTest {
   }
   /// Sends samples one by one, and waits for the monitor's answer to each.
   template <class Change>
-  void fly(wire::Writer<EngineSensors>& sensors, std::size_t count, Change&& change) {
+  void fly(idl::Writer<EngineSensors>& sensors, std::size_t count, Change&& change) {
     const std::size_t before = answers().size();
     for (std::size_t k = 0; k < count; ++k) {
       sensors.write(change(engine_.next()));
@@ -161,7 +161,7 @@ class DescribedSourceTest : public UnitsTest {
     }
   }
   const HealthEvent* channel_event(bool raised) const {
-    return listener_.find_event(wire::EventKind::source_channels, raised);
+    return listener_.find_event(idl::EventKind::source_channels, raised);
   }
   EngineSamples engine_{design_file(), 1};
   std::unique_ptr<Process> monitor_;
@@ -169,15 +169,15 @@ class DescribedSourceTest : public UnitsTest {
 
 TEST_F(DescribedSourceTest, IsConvertedFromItsFirstSampleOn) {
   monitor_ = start_monitor();
-  wire::Participant participant(options(domain_));
-  wire::Writer<EngineDescription> descriptions(participant);
-  wire::Writer<EngineSensors> sensors(participant);
+  idl::Participant participant(options(domain_));
+  idl::Writer<EngineDescription> descriptions(participant);
+  idl::Writer<EngineSensors> sensors(participant);
   meet(sensors);
   descriptions.write(in_celsius());
   fly(sensors, 20, [&](EngineSensors s) { return celsius(s); });
   for (const EngineResiduals& r : answers())
     EXPECT_EQ(r.fused(), 0b1111111u) << r.sequence_number();  // near the trim, as in K
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::filter_restart, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::filter_restart, true));
   EXPECT_EQ(channel_event(true), nullptr);
   EXPECT_THAT(monitor_->log(),
               HasSubstr("3 channels of source 9 are converted to the design's units, the first T24 from "
@@ -186,9 +186,9 @@ TEST_F(DescribedSourceTest, IsConvertedFromItsFirstSampleOn) {
 
 TEST_F(DescribedSourceTest, WhatAStrangerSaysInItsNameIsNotHeard) {
   monitor_ = start_monitor();
-  wire::Participant participant(options(domain_)), elsewhere(options(domain_));
-  wire::Writer<EngineDescription> descriptions(participant), forged(elsewhere);
-  wire::Writer<EngineSensors> sensors(participant);
+  idl::Participant participant(options(domain_)), elsewhere(options(domain_));
+  idl::Writer<EngineDescription> descriptions(participant), forged(elsewhere);
+  idl::Writer<EngineSensors> sensors(participant);
   meet(sensors);
   ASSERT_TRUE(listener_.await([&] { return forged.matched() == 2; }));
   forged.write(in_celsius());
@@ -199,20 +199,20 @@ TEST_F(DescribedSourceTest, WhatAStrangerSaysInItsNameIsNotHeard) {
   ASSERT_TRUE(forged.drain(5.0));  // the monitor has it
   fly(sensors, 20, unchanged);
   for (const EngineResiduals& r : answers()) EXPECT_EQ(r.fused(), 0b1111111u) << r.sequence_number();
-  EXPECT_FALSE(listener_.has_event(wire::EventKind::filter_restart, true));
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::filter_restart, true));
   EXPECT_EQ(channel_event(true), nullptr);
 }
 
 TEST_F(DescribedSourceTest, ThatSpeaksLateStartsTheFilterAnewInTheRightUnits) {
   monitor_ = start_monitor();
-  wire::Participant participant(options(domain_));
-  wire::Writer<EngineSensors> sensors(participant);
+  idl::Participant participant(options(domain_));
+  idl::Writer<EngineSensors> sensors(participant);
   meet(sensors);
   fly(sensors, 5, [&](EngineSensors s) { return celsius(s); });  // nobody can know yet
   EXPECT_LT(answers().at(0).innovation()[5], -200.0);            // of T30, as if it were in K
-  wire::Writer<EngineDescription> descriptions(participant);
+  idl::Writer<EngineDescription> descriptions(participant);
   descriptions.write(in_celsius());
-  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(wire::EventKind::filter_restart, true); }));
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::filter_restart, true); }));
   fly(sensors, 5, [&](EngineSensors s) { return celsius(s); });
   EXPECT_EQ(answers().back().fused(), 0b1111111u);
   EXPECT_NEAR(answers().back().innovation()[5], 0.0, 1.0);
@@ -220,9 +220,9 @@ TEST_F(DescribedSourceTest, ThatSpeaksLateStartsTheFilterAnewInTheRightUnits) {
 
 TEST_F(DescribedSourceTest, ChannelsThatDoNotFitAreNotUsedAndNamed) {
   monitor_ = start_monitor();
-  wire::Participant participant(options(domain_));
-  wire::Writer<EngineDescription> descriptions(participant);
-  wire::Writer<EngineSensors> sensors(participant);
+  idl::Participant participant(options(domain_));
+  idl::Writer<EngineDescription> descriptions(participant);
+  idl::Writer<EngineSensors> sensors(participant);
   meet(sensors);
   EngineDescription odd = description();
   odd.sensors()[6].unit() = "psi";
@@ -244,9 +244,9 @@ TEST_F(DescribedSourceTest, ChannelsThatDoNotFitAreNotUsedAndNamed) {
 
 TEST_F(DescribedSourceTest, AnotherOrderIsNotUsedAndAnotherNameIsNamed) {
   monitor_ = start_monitor();
-  wire::Participant participant(options(domain_));
-  wire::Writer<EngineDescription> descriptions(participant);
-  wire::Writer<EngineSensors> sensors(participant);
+  idl::Participant participant(options(domain_));
+  idl::Writer<EngineDescription> descriptions(participant);
+  idl::Writer<EngineSensors> sensors(participant);
   meet(sensors);
   EngineDescription odd = description();
   odd.sensors()[0].name() = "N1";

@@ -16,17 +16,17 @@ using namespace ehm::test;
 
 /// Everything that an outsider would want: to feed, to command, to listen.
 struct Outsider {
-  explicit Outsider(const wire::ParticipantOptions& options)
+  explicit Outsider(const idl::ParticipantOptions& options)
       : participant(options), sensors(participant), commands(participant), health(participant), status(participant) {}
   void try_everything() {
     EngineSensors sample;
     sample.engine_id(2);
-    sample.schema(wire::schema_version);
+    sample.schema(idl::schema_version);
     sample.source_id(66);
     sensors.write(sample);
     MonitorCommand reset;
-    reset.schema(wire::schema_version);
-    reset.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+    reset.schema(idl::schema_version);
+    reset.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
     commands.write(reset);
   }
   bool heard_nothing() {
@@ -34,16 +34,16 @@ struct Outsider {
     MonitorStatus s;
     return !health.take(h) && !status.take(s);
   }
-  wire::Participant participant;
-  wire::Writer<EngineSensors> sensors;
-  wire::Writer<MonitorCommand> commands;
-  wire::Reader<EngineHealth> health;
-  wire::Reader<MonitorStatus> status;
+  idl::Participant participant;
+  idl::Writer<EngineSensors> sensors;
+  idl::Writer<MonitorCommand> commands;
+  idl::Reader<EngineHealth> health;
+  idl::Reader<MonitorStatus> status;
 };
 
 class OutsiderTest : public SecuredPair {
  protected:
-  void expect_kept_out(const wire::ParticipantOptions& who) {
+  void expect_kept_out(const idl::ParticipantOptions& who) {
     Outsider outsider(who);
     expect_kept_out(outsider, who.name);
   }
@@ -99,7 +99,7 @@ TEST_F(OutsiderTest, WhoIsRevokedInFlightIsDroppedAtAReload) {
   EXPECT_TRUE(viewer_->await([&] { return !viewer_->security_event("has joined DDS anew").empty(); }));
   // The thief tries again and again; the monitor hears nothing of it.
   ASSERT_TRUE(viewer_->await([&] {
-    return viewer_->status.back().level() == static_cast<std::uint32_t>(wire::StatusLevel::stale);
+    return viewer_->status.back().level() == static_cast<std::uint32_t>(idl::StatusLevel::stale);
   })) << monitor_->log();
   viewer_->health.clear();
   EXPECT_TRUE(viewer_->await([&] {
@@ -115,9 +115,9 @@ TEST_F(OutsiderTest, WithAnExpiredCertificate) {
   Outsider outsider(options("expired", identity(name)));
   const auto valid = [&] {
     try {
-      wire::examine_identity(identity(name));
+      idl::examine_identity(identity(name));
       return true;
-    } catch (const wire::DdsError& e) {
+    } catch (const idl::DdsError& e) {
       EXPECT_THAT(e.what(), testing::HasSubstr("the certificate has expired"));
       return false;
     }
@@ -125,7 +125,7 @@ TEST_F(OutsiderTest, WithAnExpiredCertificate) {
   while (valid()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   start_all();
   expect_kept_out(outsider, "expired");
-  EXPECT_THROW(wire::Participant(options("late", identity(name))), wire::DdsError);
+  EXPECT_THROW(idl::Participant(options("late", identity(name))), idl::DdsError);
 }
 
 /// Who joins while somebody's handshake hangs. An impostor stands for it: each breaks the other's handshake off, which
@@ -135,10 +135,10 @@ class HangingHandshakeTest : public SecuredPair {
   HangingHandshakeTest() { be_mute(); }
   void be_mute() {
     mute_.reset();
-    mute_ = std::make_unique<wire::Participant>(options("mute", foreign_identity_));
+    mute_ = std::make_unique<idl::Participant>(options("mute", foreign_identity_));
   }
-  wire::ParticipantOptions joining() {
-    wire::ParticipantOptions o = options("joining", identity("viewer"));
+  idl::ParticipantOptions joining() {
+    idl::ParticipantOptions o = options("joining", identity("viewer"));
     o.on_stranger = [this](const std::string& text) {
       if (text.find("joining anew") == std::string::npos) return;  // on the middleware's threads
       said_.push_back(text);
@@ -148,7 +148,7 @@ class HangingHandshakeTest : public SecuredPair {
   }
   bool leaves_ = false;
   const std::string foreign_identity_ = identity_of_another_authority("viewer");
-  std::unique_ptr<wire::Participant> mute_;
+  std::unique_ptr<idl::Participant> mute_;
   std::vector<std::string> said_;
 };
 
@@ -158,7 +158,7 @@ TEST_F(HangingHandshakeTest, IsEndedByJoiningAnewWithinFiveSeconds) {
   for (int i = 0; i < 10 && said_.empty(); ++i) {
     if (i > 0) be_mute();
     const auto start = std::chrono::steady_clock::now();
-    wire::Participant joins(joining());
+    idl::Participant joins(joining());
     EXPECT_LT(std::chrono::steady_clock::now() - start, seconds(5));
   }
   ASSERT_EQ(said_.size(), 1u);
@@ -168,9 +168,9 @@ TEST_F(HangingHandshakeTest, IsEndedByJoiningAnewWithinFiveSeconds) {
 
 TEST_F(HangingHandshakeTest, OfAStrangerWhoStaysKeepsNobodyOut) {
   monitor_ = start_monitor();
-  wire::Participant joins(joining());
+  idl::Participant joins(joining());
   EXPECT_LE(said_.size(), 2u);  // the third time it stays
-  wire::Reader<EngineHealth> reader(joins);
+  idl::Reader<EngineHealth> reader(joins);
   for (int i = 0; i < 200 && reader.matched() == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(reader.matched(), 1);
 }

@@ -21,7 +21,7 @@ class PermissionTest : public SecuredPair {};
 EngineSensors sensors_of(std::uint32_t engine_id) {
   EngineSensors sample;
   sample.engine_id(engine_id);
-  sample.schema(wire::schema_version);
+  sample.schema(idl::schema_version);
   sample.source_id(66);
   sample.sensor_count(7);
   sample.actuator_count(3);
@@ -30,8 +30,8 @@ EngineSensors sensors_of(std::uint32_t engine_id) {
 
 MonitorCommand reset_all() {
   MonitorCommand command;
-  command.schema(wire::schema_version);
-  command.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+  command.schema(idl::schema_version);
+  command.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
   return command;
 }
 
@@ -100,8 +100,8 @@ TEST_F(PermissionTest, ThoseOfAnEarlierKeyOfTheSameNameAreRefused) {
 
 TEST_F(PermissionTest, AViewerMayNotPublishSensors) {
   start_all();
-  wire::Participant participant(options("viewer that lies", identity("viewer")));
-  wire::Writer<EngineSensors> writer(participant);
+  idl::Participant participant(options("viewer that lies", identity("viewer")));
+  idl::Writer<EngineSensors> writer(participant);
   EXPECT_TRUE(viewer_->await([&] {
     writer.write(sensors_of(2));
     return !viewer_->security_event("EngineSensors topic not found in allow rule").empty();
@@ -116,9 +116,9 @@ TEST_F(PermissionTest, AViewerMayNotCommandAndAnOperatorMay) {
   start_all();
   const auto restarts = [&] { return viewer_->status.back().filter_restarts(); };
   {
-    wire::Participant participant(options("viewer that commands", identity("viewer")));
-    wire::Writer<MonitorCommand> writer(participant);
-    wire::Writer<SimCommand> sim_writer(participant);
+    idl::Participant participant(options("viewer that commands", identity("viewer")));
+    idl::Writer<MonitorCommand> writer(participant);
+    idl::Writer<SimCommand> sim_writer(participant);
     EXPECT_TRUE(viewer_->await([&] {
       writer.write(reset_all());
       return !viewer_->security_event("MonitorCommand topic not found in allow rule").empty();
@@ -129,8 +129,8 @@ TEST_F(PermissionTest, AViewerMayNotCommandAndAnOperatorMay) {
     EXPECT_TRUE(goes_on());
     EXPECT_EQ(restarts(), 0u);
   }
-  wire::Participant participant(options("operator", identity("operator")));
-  wire::Writer<MonitorCommand> writer(participant);
+  idl::Participant participant(options("operator", identity("operator")));
+  idl::Writer<MonitorCommand> writer(participant);
   EXPECT_TRUE(viewer_->await([&] { return writer.matched() == 1; }));
   // Matched here is not yet matched there, so the order is repeated until it is obeyed.
   EXPECT_TRUE(viewer_->await([&] {
@@ -141,13 +141,13 @@ TEST_F(PermissionTest, AViewerMayNotCommandAndAnOperatorMay) {
 
 TEST_F(PermissionTest, ASensorSourceMayNotPublishEstimates) {
   start_all();
-  wire::Participant participant(options("source that estimates", identity("sensor_source")));
-  wire::Writer<EngineHealth> writer(participant);
+  idl::Participant participant(options("source that estimates", identity("sensor_source")));
+  idl::Writer<EngineHealth> writer(participant);
   EngineHealth estimate;
   estimate.engine_id(3);
-  estimate.schema(wire::schema_version);
+  estimate.schema(idl::schema_version);
   // The viewer of this test refuses it in the same breath in which it learns of the writer.
-  wire::Writer<EngineSensors> allowed(participant);
+  idl::Writer<EngineSensors> allowed(participant);
   EXPECT_TRUE(viewer_->await([&] { return allowed.matched() == 1; }));
   const std::size_t before = viewer_->estimates(1);
   EXPECT_TRUE(viewer_->await([&] {
@@ -159,8 +159,8 @@ TEST_F(PermissionTest, ASensorSourceMayNotPublishEstimates) {
 
 TEST_F(PermissionTest, AViewerCannotReadSensors) {
   start_all();
-  wire::Participant participant(options("viewer that listens", identity("viewer")));
-  wire::Reader<EngineSensors> reader(participant);
+  idl::Participant participant(options("viewer that listens", identity("viewer")));
+  idl::Reader<EngineSensors> reader(participant);
   EXPECT_TRUE(viewer_->await([&] {
     return simulator_->log().find("EngineSensors topic not found in allow rule") != std::string::npos;
   })) << simulator_->log();

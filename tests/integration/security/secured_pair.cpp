@@ -10,14 +10,14 @@ namespace ehm::test {
 namespace {
 
 template <class T>
-void take(wire::Reader<T>& reader, std::vector<T>& into) {
+void take(idl::Reader<T>& reader, std::vector<T>& into) {
   T sample;
   while (reader.take(sample)) into.push_back(sample);
 }
 
 }  // namespace
 
-Viewer::Viewer(const wire::ParticipantOptions& options)
+Viewer::Viewer(const idl::ParticipantOptions& options)
     : participant_(options), health_(participant_), status_(participant_), events_(participant_) {}
 
 bool Viewer::await(const std::function<bool()>& condition, seconds limit) {
@@ -38,7 +38,7 @@ bool Viewer::await(const std::function<bool()>& condition, seconds limit) {
 
 std::string Viewer::security_event(const std::string& part) const {
   for (const auto& e : events)
-    if (e.kind() == static_cast<std::uint32_t>(wire::EventKind::security) && e.engine_id() == 0 &&
+    if (e.kind() == static_cast<std::uint32_t>(idl::EventKind::security) && e.engine_id() == 0 &&
         std::string(e.message().c_str()).find(part) != std::string::npos)
       return e.message().c_str();
   return {};
@@ -66,8 +66,8 @@ void SecuredPair::make_identity(const std::vector<std::string>& arguments) {
   ASSERT_EQ(script.wait(seconds(20)), 0) << script.log();
 }
 
-wire::ParticipantOptions SecuredPair::options(const std::string& name, const std::string& identity) const {
-  wire::ParticipantOptions o;
+idl::ParticipantOptions SecuredPair::options(const std::string& name, const std::string& identity) const {
+  idl::ParticipantOptions o;
   o.domain = domain_;
   o.name = name;
   o.security = identity;

@@ -19,7 +19,7 @@ using std::chrono::seconds;
 /// What a viewer may read.
 class Viewer {
  public:
-  explicit Viewer(const wire::ParticipantOptions& options);
+  explicit Viewer(const idl::ParticipantOptions& options);
   /// Takes what arrives until the condition holds; false when the limit passes first.
   bool await(const std::function<bool()>& condition, seconds limit = seconds(20));
   /// Message of the first security event with `part` in it; nothing if there is none.
@@ -34,10 +34,10 @@ class Viewer {
   std::vector<HealthEvent> events;
 
  private:
-  wire::Participant participant_;
-  wire::Reader<EngineHealth> health_;
-  wire::Reader<MonitorStatus> status_;
-  wire::Reader<HealthEvent> events_;
+  idl::Participant participant_;
+  idl::Reader<EngineHealth> health_;
+  idl::Reader<MonitorStatus> status_;
+  idl::Reader<HealthEvent> events_;
 };
 
 class SecuredPair : public testing::Test {
@@ -49,7 +49,7 @@ class SecuredPair : public testing::Test {
   /// Runs make_security.sh on the tests' own authority; fails the test if it fails.
   static void make_identity(const std::vector<std::string>& arguments);
   /// A participant with that identity; without one if it is empty.
-  wire::ParticipantOptions options(const std::string& name, const std::string& identity) const;
+  idl::ParticipantOptions options(const std::string& name, const std::string& identity) const;
   std::unique_ptr<Process> start_monitor(const std::string& name = "monitor",
                                          const std::vector<std::string>& flags = {}) const;
   /// Flies at once; engine and source id as given.

@@ -1,4 +1,4 @@
-// The secured pair with a hot standby, as the chapter "Operations" of the README sets it up: whoever of the two
+// The secured pair with a hot standby, as deploy/docs/operations.md, "Secure, with a standby, under systemd, in half an hour" sets it up: whoever of the two
 // monitors is killed, a viewer goes on with the other one.
 
 #include <unistd.h>
@@ -28,7 +28,7 @@ class SecuredStandbyTest : public SecuredPair {
  protected:
   SecuredStandbyTest() {
     make_identity({"--role", "monitor", "--name", standby_.name});
-    wire::ParticipantOptions o = options("viewer", identity("viewer"));
+    idl::ParticipantOptions o = options("viewer", identity("viewer"));
     o.redundancy.exclusive = true;
     viewer_ = std::make_unique<Viewer>(o);
   }

@@ -75,7 +75,7 @@ void spoil(EngineSensors& s, Attack attack, Random& random) {
   constexpr auto latest = std::numeric_limits<std::int64_t>::max(), earliest = std::numeric_limits<std::int64_t>::min();
   switch (attack) {
     case Attack::schema:
-      s.schema(one_of<std::uint32_t>({0u, wire::schema_version + 1, 77u, 0xffffffffu}, random));
+      s.schema(one_of<std::uint32_t>({0u, idl::schema_version + 1, 77u, 0xffffffffu}, random));
       break;
     case Attack::counts:
       random() % 2 ? s.sensor_count(bad_count(random)) : s.actuator_count(bad_count(random));
@@ -92,7 +92,7 @@ void spoil(EngineSensors& s, Attack attack, Random& random) {
     case Attack::engine:
       // Without a schema that can be read: a readable sample of an unknown engine would rightly get a spare filter.
       s.engine_id(random() % 2 ? 0u : 1'000'000u + static_cast<std::uint32_t>(random() % 1000));
-      s.schema(wire::schema_version + 1);
+      s.schema(idl::schema_version + 1);
       break;
     case Attack::sequence:
       s.sequence_number(random() % 2 ? random() : one_of<std::uint64_t>({0ull, ~0ull, ~0ull / 2}, random));
@@ -115,7 +115,7 @@ MonitorCommand bad_command(std::uint32_t engine_id, Random& random) {
   MonitorCommand command;
   command.engine_id(random() % 2 ? engine_id : 0u);
   const bool unknown_kind = random() % 2;
-  command.schema(unknown_kind ? wire::schema_version : wire::schema_version + 1);
+  command.schema(unknown_kind ? idl::schema_version : idl::schema_version + 1);
   command.kind(unknown_kind ? 0x80000000u | static_cast<std::uint32_t>(random()) : 1u);
   return command;
 }
@@ -123,8 +123,8 @@ MonitorCommand bad_command(std::uint32_t engine_id, Random& random) {
 MonitorCommand reset_command(std::uint32_t engine_id) {
   MonitorCommand command;
   command.engine_id(engine_id);
-  command.schema(wire::schema_version);
-  command.kind(static_cast<std::uint32_t>(wire::MonitorCommandKind::reset));
+  command.schema(idl::schema_version);
+  command.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
   return command;
 }
 
@@ -132,8 +132,8 @@ EngineDescription bad_description(std::uint32_t engine_id, std::uint32_t source_
   EngineDescription d;
   d.engine_id(engine_id);
   d.source_id(source_id);
-  d.role(static_cast<std::uint32_t>(wire::DescriptionRole::source));
-  d.schema(wire::schema_version);
+  d.role(static_cast<std::uint32_t>(idl::DescriptionRole::source));
+  d.schema(idl::schema_version);
   const auto text = [&random] {
     return one_of<const char*>({"\x1b[2J\x1b[H", "\x1b]0;owned\x07", "T30\r\nmonitor: all is well",
                                 "\x9b"

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "deploy/config/usage_answer.h"
-#include "deploy/service/exit_code.h"
-#include "deploy/service/stop_signal.h"
+#include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/service/exit_code.h"
+#include "deploy/runtime/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
 #include "idl/wire_values.h"
 #include "tests/tools/hostile/attack.h"
@@ -37,7 +37,7 @@ struct Options {
 EngineSensors stranger(const Options& options) {
   EngineSensors s;
   s.engine_id(options.engine);
-  s.schema(wire::schema_version);
+  s.schema(idl::schema_version);
   s.altitude_m(10668.0);
   s.mach(0.8);
   s.sensor_count(7);
@@ -49,7 +49,7 @@ EngineSensors stranger(const Options& options) {
 
 class Flood {
  public:
-  Flood(wire::Participant& participant, const Options& options, std::vector<Attack> attacks)
+  Flood(idl::Participant& participant, const Options& options, std::vector<Attack> attacks)
       : options_(options),
         attacks_(std::move(attacks)),
         random_(options.seed),
@@ -104,20 +104,20 @@ class Flood {
   std::vector<Attack> attacks_;
   std::mt19937_64 random_;
   EngineSensors latest_;
-  wire::Reader<EngineSensors> heard_;
-  wire::Writer<EngineSensors> samples_;
-  wire::Writer<MonitorCommand> commands_;
-  wire::Writer<EngineDescription> descriptions_;
+  idl::Reader<EngineSensors> heard_;
+  idl::Writer<EngineSensors> samples_;
+  idl::Writer<MonitorCommand> commands_;
+  idl::Writer<EngineDescription> descriptions_;
   std::array<std::uint64_t, 12> sent_{};
 };
 
 void run(const Options& options, std::vector<Attack> attacks) {
   const service::StopSignal stop;
-  wire::ParticipantOptions participant_options;
+  idl::ParticipantOptions participant_options;
   participant_options.domain = options.domain;
   participant_options.name = "ehm_hostile";
   participant_options.partition = options.partition;
-  wire::Participant participant(participant_options);
+  idl::Participant participant(participant_options);
   Flood flood(participant, options, std::move(attacks));
   // Its own reader is one of those that match.
   while (!stop.requested() && flood.matched() < options.wait_for_readers + 1)

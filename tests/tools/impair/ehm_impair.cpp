@@ -10,9 +10,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "deploy/config/usage_answer.h"
-#include "deploy/service/exit_code.h"
-#include "deploy/service/stop_signal.h"
+#include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/service/exit_code.h"
+#include "deploy/runtime/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
 #include "tests/tools/impair/control.h"
 #include "tests/tools/line_input.h"
@@ -35,8 +35,8 @@ double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-wire::ParticipantOptions participant(std::uint32_t domain, const std::string& partition) {
-  wire::ParticipantOptions options;
+idl::ParticipantOptions participant(std::uint32_t domain, const std::string& partition) {
+  idl::ParticipantOptions options;
   options.domain = domain;
   options.name = "ehm_impair";
   options.partition = partition;
@@ -58,7 +58,7 @@ std::string flag(std::string name) {
 }
 
 /// One turn of the way from reader to writer: what has come is received, what is due is sent.
-void carry(wire::Reader<EngineSensors>& reader, wire::Writer<EngineSensors>& writer, Impairment& impairment) {
+void carry(idl::Reader<EngineSensors>& reader, idl::Writer<EngineSensors>& writer, Impairment& impairment) {
   EngineSensors sample;
   while (reader.take(sample)) impairment.receive(sample, now_s());
   while (const auto due = impairment.send(now_s())) writer.write(*due);
@@ -81,14 +81,14 @@ void obey_input(LineInput& input, Impairment& impairment) {
 void run(const Options& options, Schedule schedule) {
   constexpr double longest_wait_s = 0.005;
   const service::StopSignal stop;
-  wire::Participant in(participant(options.from, options.from_partition));
-  wire::Participant out(participant(options.to, options.to_partition));
-  wire::Writer<EngineSensors> writer(out);
+  idl::Participant in(participant(options.from, options.from_partition));
+  idl::Participant out(participant(options.to, options.to_partition));
+  idl::Writer<EngineSensors> writer(out);
   eprosima::fastdds::dds::ConditionSeq triggered;
   const timespec moment{0, 10'000'000};
   while (!stop.requested() && writer.matched() < options.wait_for_readers) nanosleep(&moment, nullptr);
 
-  wire::Reader<EngineSensors> reader(in);
+  idl::Reader<EngineSensors> reader(in);
   eprosima::fastdds::dds::WaitSet wait_set;
   wait_set.attach_condition(reader.condition());
   Impairment impairment(options.seed);

@@ -11,13 +11,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "deploy/files/csv_table.h"
+#include "deploy/runtime/files/csv_table.h"
 
 namespace ehm::test {
 namespace {
 
-using estimation::Channel;
-using estimation::LinearModel;
+using linear_model::Channel;
+using linear_model::LinearModel;
 
 std::array<std::size_t, 2> shape(Eigen::Index rows, Eigen::Index cols) {
   return {static_cast<std::size_t>(rows), static_cast<std::size_t>(cols)};

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "monitor/estimation/linear_model.h"
+#include "engine_sim/linear_model/linear_model.h"
 
 namespace ehm::test {
 
@@ -42,7 +42,7 @@ class MatWriter {
 void compress(const std::string& mat_file);
 
 /// Everything that the model states.
-void write_all(MatWriter& mat, const estimation::LinearModel& model);
-void write_csv_folder(const std::string& folder, const estimation::LinearModel& model);
+void write_all(MatWriter& mat, const linear_model::LinearModel& model);
+void write_csv_folder(const std::string& folder, const linear_model::LinearModel& model);
 
 }  // namespace ehm::test

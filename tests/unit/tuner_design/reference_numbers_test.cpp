@@ -1,23 +1,23 @@
-// The reference numbers of THEORY section 5, JT9D at cruise: Ph 2 %, noise of [SG] table 2, process noise 1e-4
+// The reference numbers of theory.md, section 5, JT9D at cruise: Ph 2 %, noise of [SG] table 2, process noise 1e-4
 // percent^2.
 
 #include <gtest/gtest.h>
 
-#include "monitor/estimation/discretise.h"
-#include "monitor/estimation/scaling.h"
+#include "engine_sim/linear_model/discretise.h"
+#include "engine_sim/linear_model/scaling.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/baselines/tuner_baselines.h"
-#include "tuner_design/design_tuner.h"
-#include "tuner_design/kalman_error.h"
-#include "tuner_design/kalman_gain.h"
+#include "tuner_design/design/design_tuner.h"
+#include "tuner_design/theory/kalman_error.h"
+#include "tuner_design/theory/kalman_gain.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 constexpr double rankine2_per_kelvin2 = 3.24;
 
-/// Sum over T40 and T50 in degR^2, Fn in percent^2 and SmLPC in points^2: the unit form of THEORY section 5.
+/// Sum over T40 and T50 in degR^2, Fn in percent^2 and SmLPC in points^2: the unit form of theory.md, section 5.
 double auxiliary_total_rankine(const Eigen::VectorXd& ssee) {
   return rankine2_per_kelvin2 * (ssee(0) + ssee(1)) + ssee(2) + ssee(3);
 }
@@ -28,7 +28,7 @@ class ReferenceNumbers : public ::testing::Test {
     const auto found = test::jt9d_cruise();
     if (!found) GTEST_SKIP() << test::no_reference;
     model = *found;
-    scaled = estimation::scaled(discretise(model), estimation::scaling_of(model));
+    scaled = linear_model::scaled(discretise(model), linear_model::scaling_of(model));
     steady = estimation::steady_gain(scaled);
   }
   design::Design designed(double qh) const {
@@ -43,7 +43,7 @@ class ReferenceNumbers : public ::testing::Test {
     add_error_theory(design, scaled, steady);
     return design;
   }
-  estimation::LinearModel model, scaled;
+  linear_model::LinearModel model, scaled;
   estimation::SteadyGain steady;
 };
 
@@ -60,13 +60,13 @@ TEST_F(ReferenceNumbers, BayesLimit) {
   const design::Design design = designed(1e-3);
   EXPECT_NEAR(design.bayes_limit.health.sum() / 12.000, 1.0, 1e-4);
   EXPECT_NEAR(auxiliary_total_rankine(design.bayes_limit.auxiliary) / 103.695, 1.0, 1e-4);
-  // T40 can be known exactly at this point (THEORY section 5: 4e-11 percent^2).
+  // T40 can be known exactly at this point (theory.md, section 5: 4e-11 percent^2).
   EXPECT_LT(design.bayes_limit.auxiliary(0), 1e-9);
 }
 
 TEST_F(ReferenceNumbers, KalmanAtTheReferenceQh) {
   const design::Design design = designed(1e-5);
-  // THEORY section 5, with the process noise of the model in the error; digits from numpy and scipy. Without it 12.015
+  // theory.md, section 5, with the process noise of the model in the error; digits from numpy and scipy. Without it 12.015
   // and 104.27: finite_window_test.cpp.
   EXPECT_NEAR(design.ssee.health.sum() / 12.016144, 1.0, 1e-6);
   EXPECT_NEAR(auxiliary_total_rankine(design.ssee.auxiliary) / 104.622539, 1.0, 1e-6);
@@ -158,4 +158,4 @@ TEST_F(ReferenceNumbers, Mapss) {
 }
 
 }  // namespace
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -11,7 +11,7 @@
 namespace ehm::test {
 namespace {
 
-using estimation::LinearModel;
+using linear_model::LinearModel;
 using Json = nlohmann::json;
 
 std::optional<Json> reference(const std::string& name) {
@@ -107,7 +107,7 @@ std::optional<LinearModel> jt9d_point(const std::string& name) {
   const Json& point = file->at("models").at(name);
   const Json& trim = point.at("trim");
   const auto channel = [&](const std::string& key, const std::string& unit) {
-    return estimation::Channel{key, unit, trim.at(key).get<double>()};
+    return linear_model::Channel{key, unit, trim.at(key).get<double>()};
   };
   LinearModel model;
   model.name = name;

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "monitor/estimation/linear_model.h"
+#include "engine_sim/linear_model/linear_model.h"
 
 namespace ehm::test {
 
@@ -25,17 +25,17 @@ class Random {
 
 /// Stable discrete engine with 2 states, 1 control, `health` and `sensors` as asked, auxiliary T40 (degR) and Fn (lbf).
 /// Sensors 0 and 1 measure the states. Deterministic.
-estimation::LinearModel made_up_model(int sensors = 4, int health = 6);
+linear_model::LinearModel made_up_model(int sensors = 4, int health = 6);
 
-/// JT9D at cruise with the settings of THEORY section 5, from the reference data; nullopt where they are absent.
+/// JT9D at cruise with the settings of theory.md, section 5, from the reference data; nullopt where they are absent.
 /// Temperatures in degR, pressures in psia, thrust in lbf.
-std::optional<estimation::LinearModel> jt9d_cruise();
+std::optional<linear_model::LinearModel> jt9d_cruise();
 
 /// Its points: alt35000_MN0.8_PC100 (cruise), alt35000_MN0.8_PC80, alt0_MN0_PC100.
-std::optional<estimation::LinearModel> jt9d_point(const std::string& name);
+std::optional<linear_model::LinearModel> jt9d_point(const std::string& name);
 
 /// MAPSS military engine with the given sensors (all eleven if empty); nullopt where the reference data are absent.
-std::optional<estimation::LinearModel> mapss(const std::vector<int>& sensors = {});
+std::optional<linear_model::LinearModel> mapss(const std::vector<int>& sensors = {});
 
 inline constexpr const char* no_reference = "reference data absent: set EHM_REFERENCE_DIR to their folder";
 

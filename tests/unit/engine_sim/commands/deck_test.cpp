@@ -8,15 +8,15 @@
 #include <cmath>
 #include <map>
 
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/file_error.h"
 #include "engine_sim/deck/deck_columns.h"
-#include "engine_sim/model/engines/jt9d.h"
+#include "engine_sim/engines/jt9d.h"
 #include "engine_sim/model/units.h"
 #include "run_engine_sim.h"
 #include "tests/temporary_folder.h"
-#include "tests/unit/engine_sim/reference_cases.h"
+#include "tests/unit/engine_sim/model/reference_cases.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 using testing::EndsWith;
@@ -240,4 +240,4 @@ TEST_F(DeckTest, AgreesWithNpss) {
 }
 
 }  // namespace
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

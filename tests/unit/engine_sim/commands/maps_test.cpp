@@ -7,18 +7,18 @@
 #include <cstdlib>
 #include <map>
 
-#include "deploy/files/csv_table.h"
-#include "deploy/files/file_error.h"
+#include "deploy/runtime/files/csv_table.h"
+#include "deploy/runtime/files/file_error.h"
+#include "engine_sim/engines/jt9d.h"
 #include "engine_sim/figures/contour_labels.h"
 #include "engine_sim/figures/jt9d_figures.h"
 #include "engine_sim/figures/operating_line.h"
 #include "engine_sim/figures/reference_points.h"
-#include "engine_sim/model/engines/jt9d.h"
 #include "engine_sim/model/units.h"
 #include "run_engine_sim.h"
 #include "tests/temporary_folder.h"
 
-namespace ehm::engine {
+namespace ehm::engine_sim {
 namespace {
 
 using testing::HasSubstr;
@@ -219,4 +219,4 @@ TEST(ContourLabels, StandOnTheirContourAndApart) {
 }
 
 }  // namespace
-}  // namespace ehm::engine
+}  // namespace ehm::engine_sim

@@ -18,7 +18,7 @@ inline Result run_engine_sim(const std::vector<std::string>& arguments) {
   std::vector<const char*> argv{"engine_sim"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   std::ostringstream out, err;
-  const auto code = engine::run_command(static_cast<int>(argv.size()), argv.data(), out, err);
+  const auto code = engine_sim::run_command(static_cast<int>(argv.size()), argv.data(), out, err);
   return {code.value_or(-1), out.str(), err.str()};
 }
 

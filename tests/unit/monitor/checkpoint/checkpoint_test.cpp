@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "deploy/files/file_error.h"
-#include "monitor/design/content_hash.h"
+#include "deploy/runtime/files/content_hash.h"
+#include "deploy/runtime/files/file_error.h"
 #include "tests/unit/monitor/checkpoint/some_checkpoint.h"
 
 namespace {
@@ -32,7 +32,7 @@ std::string changed(const std::string& pointer, const json& value) {
   json j = json::parse(to_text(test::some_checkpoint()));
   j[json::json_pointer(pointer)] = value;
   j.erase("hash");
-  j["hash"] = design::sha256_hex(j.dump());
+  j["hash"] = files::sha256_hex(j.dump());
   return j.dump();
 }
 

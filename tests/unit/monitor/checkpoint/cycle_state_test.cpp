@@ -1,6 +1,6 @@
 // A cycle that resumes goes on as if it had never stopped; after a gap it is where it was within its sigma.
 
-#include "monitor/cycle_state.h"
+#include "monitor/cycle/cycle_state.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace ehm;
 using namespace ehm::monitor;
-namespace flag = ehm::wire::estimate_flag;
+namespace flag = ehm::idl::estimate_flag;
 
 constexpr int settled = 3000;  // samples: far beyond the design's settling time
 constexpr double max_gap_s = 60.0;
@@ -116,7 +116,7 @@ TEST_F(CycleStateTest, AFaultySensorStaysOut) {
   EXPECT_EQ(second_.filter().sensor_set().missing(), 2);
   EXPECT_TRUE(second_.result().flags & flag::degraded);
   ASSERT_EQ(second_.events().size(), 1u);
-  EXPECT_EQ(second_.events().begin()->kind, wire::EventKind::sensor_fault);
+  EXPECT_EQ(second_.events().begin()->kind, idl::EventKind::sensor_fault);
   EXPECT_EQ(second_.events().begin()->channel, 2u);
   expect_successor_within_one_sigma();
 }

@@ -12,8 +12,8 @@ using namespace ehm::monitor;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double lasts = 5;  // checks.bridge_samples
 
-estimation::LinearModel cruise() {
-  estimation::LinearModel model;
+linear_model::LinearModel cruise() {
+  linear_model::LinearModel model;
   model.sample_time_s = 0.015;
   model.operating_point = {10668.0, 0.8, 0.0};
   model.controls = {{"fuel_flow", "kg/s", 1.0}, {"VSV", "deg", 0.0}};
@@ -91,7 +91,7 @@ TEST_F(ConditionCheckTest, AMoveThatLastsIsBelievedAndSaid) {
   EXPECT_EQ(offer(s).flight.altitude_m, 3000.0);
   EXPECT_TRUE(usable_);
   ASSERT_EQ(events_.size(), 1u);
-  EXPECT_EQ(last().kind, wire::EventKind::condition_fault);
+  EXPECT_EQ(last().kind, idl::EventKind::condition_fault);
   EXPECT_EQ(last().channel, 0u);
   EXPECT_EQ(last().value, 3000.0);
   EXPECT_EQ(last().threshold, 10668.0);

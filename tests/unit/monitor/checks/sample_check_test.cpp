@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "monitor/checks/sample_time_watch.h"
-#include "monitor/judge/second_source_watch.h"
+#include "monitor/checks/second_source_watch.h"
 
 namespace {
 

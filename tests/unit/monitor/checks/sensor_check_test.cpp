@@ -12,11 +12,11 @@ namespace {
 
 using namespace ehm;
 using namespace ehm::monitor;
-namespace reason = ehm::wire::reject_reason;
+namespace reason = ehm::idl::reject_reason;
 
 /// Health of a fleet with a sigma of 2 % moves the sensor by 20 (a sigma).
-estimation::LinearModel one_sensor(double trim, const char* unit = "K") {
-  estimation::LinearModel model;
+linear_model::LinearModel one_sensor(double trim, const char* unit = "K") {
+  linear_model::LinearModel model;
   model.sensors = {{"T30", unit, trim}};
   model.sensor_noise_sigma = Eigen::VectorXd::Constant(1, 5.0);
   model.health_sigma = Eigen::VectorXd::Constant(1, 0.02);
@@ -29,7 +29,7 @@ estimation::LinearModel one_sensor(double trim, const char* unit = "K") {
 }
 
 /// The largest deviation from trim that is in range, to half a unit.
-double range_of(const estimation::LinearModel& model) {
+double range_of(const linear_model::LinearModel& model) {
   SensorCheck check{CheckOptions{}, {}, model};
   double far = 0.0;
   for (double each = 1.0; each < 2000.0; each += 0.5) {
@@ -52,7 +52,7 @@ TEST(SensorCheck, RangesDoNotDependOnTheZeroOfTheUnit) {
   // A gauge pressure, and a trim near zero: noise and spread count, 5 against 20 / 10
   EXPECT_NEAR(range_of(one_sensor(1000.0, "psig")), 300.0, 0.5);
   EXPECT_NEAR(range_of(one_sensor(0.01, "kPa")), 300.0, 0.5);
-  estimation::LinearModel quiet = one_sensor(0.01, "kPa");
+  linear_model::LinearModel quiet = one_sensor(0.01, "kPa");
   quiet.sensor_noise_sigma(0) = 1e-3;
   EXPECT_NEAR(range_of(quiet), 120.0, 0.5) << "six sigmas of the fleet";
 }

@@ -10,7 +10,7 @@ namespace {
 
 using namespace ehm::monitor;
 
-const std::vector<ehm::estimation::Channel> design{{"T24", "K", 390.0}, {"P24", "Pa", 148e3}, {"T30", "K", 660.0}};
+const std::vector<ehm::linear_model::Channel> design{{"T24", "K", 390.0}, {"P24", "Pa", 148e3}, {"T30", "K", 660.0}};
 
 TEST(SourceFit, NamesPlacesAndUnits) {
   struct Case {

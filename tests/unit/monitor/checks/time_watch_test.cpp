@@ -13,7 +13,7 @@
 namespace {
 
 using namespace ehm::monitor;
-using ehm::wire::EventKind;
+using ehm::idl::EventKind;
 
 constexpr double sample_time_s = 0.015;
 

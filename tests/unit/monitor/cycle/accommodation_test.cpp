@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "tests/unit/monitor/cycle/flight.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 
 namespace {
 
@@ -83,7 +83,7 @@ class TightFleet : public Accommodation {
   static std::shared_ptr<const design::Design> design_of_a_tight_fleet() {
     auto model = test::made_up_model(7, 10);
     model.health_sigma *= 0.25;
-    return std::make_shared<const design::Design>(bench::design_tuner(model, design::DesignOptions{}));
+    return std::make_shared<const design::Design>(tuner_design::design_tuner(model, design::DesignOptions{}));
   }
 };
 

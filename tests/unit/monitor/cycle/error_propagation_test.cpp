@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
-#include "monitor/estimation/stationary_covariance.h"
 #include "tests/unit/monitor/cycle/flight.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 
 namespace {
 
@@ -63,9 +63,9 @@ void expect_agreement_with_a_fleet(const std::shared_ptr<const design::Design>& 
 }
 
 std::shared_ptr<const design::Design> design_with_process_noise(double factor) {
-  estimation::LinearModel model = test::made_up_model(7, 10);
+  linear_model::LinearModel model = test::made_up_model(7, 10);
   model.process_noise *= factor;
-  return std::make_shared<const design::Design>(bench::design_tuner(model, {}));
+  return std::make_shared<const design::Design>(tuner_design::design_tuner(model, {}));
 }
 
 TEST(ErrorPropagation, AgreesWithAFleetAtEverySample) {
@@ -81,9 +81,9 @@ TEST(ErrorPropagation, ProcessNoiseIsInTheInnovationsToo) {
   const auto still = design_with_process_noise(0.0), moving = design_with_process_noise(900.0);
   const auto still_model = design::make_error_model(*still, still->full);
   const auto moving_model = design::make_error_model(*moving, moving->full);
-  const estimation::LinearModel& model = moving->model;
+  const linear_model::LinearModel& model = moving->model;
   const Eigen::VectorXd motion =
-      (model.C * estimation::stationary_covariance(model.A, model.process_noise) * model.C.transpose()).diagonal();
+      (model.C * linear_model::stationary_covariance(model.A, model.process_noise) * model.C.transpose()).diagonal();
   const Eigen::VectorXd more = estimation::ErrorPropagation(moving_model).innovation_variance() -
                                estimation::ErrorPropagation(still_model).innovation_variance();
   EXPECT_TRUE(more.isApprox(motion, 1e-9));

@@ -19,7 +19,7 @@ constexpr int settle = 2000;
 struct Said {
   std::vector<Event> events;
   std::vector<int> samples;  ///< after the onset
-  const Event* first(wire::EventKind kind) const {
+  const Event* first(idl::EventKind kind) const {
     for (const Event& e : events)
       if (e.kind == kind && e.raised) return &e;
     return nullptr;
@@ -55,16 +55,16 @@ TEST(FaultDetector, NamesABiasWithItsSizeAndOnset) {
       s.sensor[static_cast<std::size_t>(sensor)] += size;
       return s;
     });
-    const Event* fault = result.first(wire::EventKind::sensor_fault);
+    const Event* fault = result.first(idl::EventKind::sensor_fault);
     ASSERT_NE(fault, nullptr) << sensor;
     EXPECT_EQ(fault->channel, static_cast<std::uint32_t>(sensor));
-    EXPECT_EQ(fault->detail & wire::reject_reason::bias, wire::reject_reason::bias);
+    EXPECT_EQ(fault->detail & idl::reject_reason::bias, idl::reject_reason::bias);
     EXPECT_NEAR(fault->value / size, 1.0, 0.4) << sensor;  // 5 samples see it to sigma/sqrt(5)
     EXPECT_LE(result.samples.front(), 200) << sensor;      // 3 s
     // Onset: the last sample before the event's age.
     const double onset_s = result.samples.front() * model.sample_time_s - fault->age_s;
     EXPECT_NEAR(onset_s, -model.sample_time_s, 0.1) << sensor;
-    EXPECT_EQ(result.first(wire::EventKind::health_shift), nullptr) << sensor;
+    EXPECT_EQ(result.first(idl::EventKind::health_shift), nullptr) << sensor;
   }
 }
 
@@ -76,10 +76,10 @@ TEST(FaultDetector, NamesGrownNoise) {
     s.sensor[4] += std::sqrt(15.0) * model.sensor_noise_sigma(4) * random.normal();  // four times in all
     return s;
   });
-  const Event* fault = result.first(wire::EventKind::sensor_fault);
+  const Event* fault = result.first(idl::EventKind::sensor_fault);
   ASSERT_NE(fault, nullptr);
   EXPECT_EQ(fault->channel, 4u);
-  EXPECT_EQ(fault->detail & wire::reject_reason::noise, wire::reject_reason::noise);
+  EXPECT_EQ(fault->detail & idl::reject_reason::noise, idl::reject_reason::noise);
   EXPECT_GT(fault->value, fault->threshold);
 }
 
@@ -93,8 +93,8 @@ TEST(FaultDetector, AStepOfHealthIsNoSensorFault) {
       }
       return flight.next();
     });
-    EXPECT_EQ(result.first(wire::EventKind::sensor_fault), nullptr) << parameter;
-    ASSERT_NE(result.first(wire::EventKind::health_shift), nullptr) << parameter;
+    EXPECT_EQ(result.first(idl::EventKind::sensor_fault), nullptr) << parameter;
+    ASSERT_NE(result.first(idl::EventKind::health_shift), nullptr) << parameter;
   }
 }
 
@@ -121,7 +121,7 @@ TEST(FaultDetector, FindsABiasThroughTwentyPercentOfLoss) {
     s.sensor[5] += 6.0 * model.sensor_noise_sigma(5);
     return s;
   });
-  const Event* fault = result.first(wire::EventKind::sensor_fault);
+  const Event* fault = result.first(idl::EventKind::sensor_fault);
   ASSERT_NE(fault, nullptr);
   EXPECT_EQ(fault->channel, 5u);
 }
@@ -129,7 +129,7 @@ TEST(FaultDetector, FindsABiasThroughTwentyPercentOfLoss) {
 TEST(FaultSignatures, AnswerTheFilterAsFlown) {
   // A bias in a noise-free flight leaves exactly the tabulated trace, in innovations and state.
   const auto design = test::made_up_design();
-  estimation::LinearModel quiet = design->model;
+  linear_model::LinearModel quiet = design->model;
   quiet.sensor_noise_sigma.setZero();
   const auto tables = fault_tables(*design);
   test::Flight flight(quiet, Eigen::VectorXd::Zero(10), 1);

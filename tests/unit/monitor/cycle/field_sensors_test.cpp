@@ -7,22 +7,22 @@
 #include <limits>
 
 #include "idl/wire_values.h"
-#include "monitor/monitor_cycle.h"
+#include "monitor/cycle/monitor_cycle.h"
 #include "tests/unit/monitor/cycle/flight.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 
 namespace {
 
 using namespace ehm;
 using namespace ehm::monitor;
-using wire::EventKind;
+using idl::EventKind;
 
 constexpr int settle = 2000, flown = 20'000;  // 5 min
 constexpr std::array<std::size_t, 3> slow{3, 4, 5};
 
 /// The made-up engine with `count` of its sensors, from the third on, in kelvin or in degrees Celsius.
-estimation::LinearModel with_temperatures(const char* unit, std::size_t count) {
-  estimation::LinearModel model = test::made_up_model(7, 10);
+linear_model::LinearModel with_temperatures(const char* unit, std::size_t count) {
+  linear_model::LinearModel model = test::made_up_model(7, 10);
   const double zero = std::string_view(unit) == "degC" ? 273.15 : 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     model.sensors[i + 2].unit = unit;
@@ -33,7 +33,7 @@ estimation::LinearModel with_temperatures(const char* unit, std::size_t count) {
 
 TEST(FieldSensors, AFlightInCelsiusIsThatInKelvin) {
   const auto designed = [](const char* unit) {
-    return std::make_shared<const design::Design>(bench::design_tuner(with_temperatures(unit, 3), {}));
+    return std::make_shared<const design::Design>(tuner_design::design_tuner(with_temperatures(unit, 3), {}));
   };
   const auto kelvin = designed("K"), celsius = designed("degC");
   EXPECT_TRUE(celsius->ssee.health.isApprox(kelvin->ssee.health, 1e-9));
@@ -70,7 +70,7 @@ struct Outcome {
 template <class Spoil>
 Outcome fly(const std::shared_ptr<const design::Design>& design, int samples, Spoil spoil, double noise = 1.0) {
   test::Random random(7);
-  estimation::LinearModel truth = design->model;
+  linear_model::LinearModel truth = design->model;
   truth.sensor_noise_sigma *= noise;
   test::Flight flight(truth, truth.health_sigma.cwiseProduct(random.normal_vector(truth.health_sigma.size())), 11);
   MonitorCycle cycle(design, CycleOptions{});
@@ -139,7 +139,7 @@ TEST(FieldSensors, SlowTemperaturesAreFusedOnceAndNamed) {
 }
 
 TEST(FieldSensors, ADesignThatKnowsOfSlowAndCoarseSensorsFusesEachValueHonestly) {
-  estimation::LinearModel model = test::made_up_model(7, 10);
+  linear_model::LinearModel model = test::made_up_model(7, 10);
   model.sensor_resolution = Eigen::VectorXd::Zero(7);
   model.sensor_update_period_s = Eigen::VectorXd::Zero(7);
   for (const std::size_t i : slow) {
@@ -148,8 +148,9 @@ TEST(FieldSensors, ADesignThatKnowsOfSlowAndCoarseSensorsFusesEachValueHonestly)
     model.sensor_update_period_s(at) = 33.0 * model.sample_time_s;
     model.sensor_noise_sigma(at) *= std::sqrt(33.0 * (1.0 + 1.0 / 12.0));
   }
-  const auto design = std::make_shared<const design::Design>(bench::design_tuner(model, design::DesignOptions{}));
-  const estimation::LinearModel own = test::made_up_model(7, 10);
+  const auto design =
+      std::make_shared<const design::Design>(tuner_design::design_tuner(model, design::DesignOptions{}));
+  const linear_model::LinearModel own = test::made_up_model(7, 10);
   test::Random random(5);
   const Outcome outcome = fly(
       design, flown,
@@ -196,7 +197,7 @@ TEST(FieldSensors, OnePercentOfBadWordsChangesNothing) {
 
 TEST(FieldSensors, AnAircraftThatLeavesThePointStillEndsTheEstimates) {
   auto moved = std::make_shared<design::Design>(*test::made_up_design());
-  moved->model.operating_point = estimation::OperatingPoint{10668.0, 0.8, 0.0};
+  moved->model.operating_point = linear_model::OperatingPoint{10668.0, 0.8, 0.0};
   const Outcome outcome = fly(moved, settle + 200, [&](Sample& s, const Sample&) {
     if (s.sequence >= settle) s.flight.altitude_m = 3000.0;
   });
@@ -206,12 +207,13 @@ TEST(FieldSensors, AnAircraftThatLeavesThePointStillEndsTheEstimates) {
 }
 
 TEST(FieldSensors, AModelWithoutControlsAndOutputsFlies) {
-  estimation::LinearModel model = test::made_up_model(7, 10);
+  linear_model::LinearModel model = test::made_up_model(7, 10);
   model.controls.clear();
   model.auxiliary.clear();
   for (Eigen::MatrixXd* matrix : {&model.B, &model.D, &model.G}) matrix->resize(matrix->rows(), 0);
   for (Eigen::MatrixXd* matrix : {&model.F, &model.G, &model.N}) matrix->resize(0, matrix->cols());
-  const auto design = std::make_shared<const design::Design>(bench::design_tuner(model, design::DesignOptions{}));
+  const auto design =
+      std::make_shared<const design::Design>(tuner_design::design_tuner(model, design::DesignOptions{}));
   const Outcome outcome = fly(design, settle + 1000, nothing);
   EXPECT_TRUE(outcome.events.empty());
   EXPECT_EQ(outcome.estimates, static_cast<std::uint64_t>(settle + 1000));

@@ -15,7 +15,7 @@ namespace {
 using namespace ehm;
 using namespace ehm::monitor;
 
-int count(const EventList& events, wire::EventKind kind, bool raised) {
+int count(const EventList& events, idl::EventKind kind, bool raised) {
   return static_cast<int>(std::count_if(events.begin(), events.end(),
                                         [&](const Event& e) { return e.kind == kind && e.raised == raised; }));
 }
@@ -91,8 +91,8 @@ TEST_F(FleetWatchTest, AnEngineOfTheFleetIsNeverTouched) {
       cycle.process(flight.next());
       ASSERT_TRUE(cycle.result().estimates);
     }
-    EXPECT_EQ(count(cycle.events(), wire::EventKind::implausible, true), 0) << e;
-    EXPECT_EQ(count(cycle.events(), wire::EventKind::unlikely_engine, true), 0) << e;
+    EXPECT_EQ(count(cycle.events(), idl::EventKind::implausible, true), 0) << e;
+    EXPECT_EQ(count(cycle.events(), idl::EventKind::unlikely_engine, true), 0) << e;
   }
 }
 
@@ -100,11 +100,11 @@ TEST_F(FleetWatchTest, ADriftOfAllSensorsIsNamedAndThenWithheld) {
   test::Flight flight(design_->model, Eigen::VectorXd::Zero(10), 73);
   drift(flight, 20.0, 0.0, 0.0);
   drift(flight, 100.0, 0.5, 0.0);
-  EXPECT_EQ(count(cycle_.events(), wire::EventKind::unlikely_engine, true), 1);
-  EXPECT_GE(count(cycle_.events(), wire::EventKind::implausible, true), 1);
+  EXPECT_EQ(count(cycle_.events(), idl::EventKind::unlikely_engine, true), 1);
+  EXPECT_GE(count(cycle_.events(), idl::EventKind::implausible, true), 1);
   EXPECT_FALSE(cycle_.result().estimates);
-  EXPECT_TRUE(cycle_.result().flags & wire::estimate_flag::implausible);
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_TRUE(cycle_.result().reason[i] & wire::reject_reason::withheld);
+  EXPECT_TRUE(cycle_.result().flags & idl::estimate_flag::implausible);
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_TRUE(cycle_.result().reason[i] & idl::reject_reason::withheld);
   CycleState state;
   EXPECT_FALSE(cycle_.snapshot(state));  // nothing of this is worth a checkpoint
 }
@@ -119,13 +119,13 @@ TEST_F(FleetWatchTest, WearFarBeyondTheFleetKeepsAnHonestSigmaUntilItIsWithheldA
   EXPECT_GT(published_, before);
   EXPECT_LT(worst_, 4.0);
   EXPECT_GT(worst_of_fleets_, 8.0);  // what it would be without the growth
-  EXPECT_TRUE(cycle_.result().flags & wire::estimate_flag::implausible);
+  EXPECT_TRUE(cycle_.result().flags & idl::estimate_flag::implausible);
   EXPECT_FALSE(cycle_.result().estimates);
   cycle_.clear_events();
   drift(flight, 100.0, 0.0, -0.1);
   EXPECT_TRUE(cycle_.result().estimates);
-  EXPECT_FALSE(cycle_.result().flags & wire::estimate_flag::implausible);
-  EXPECT_GE(count(cycle_.events(), wire::EventKind::unlikely_engine, false), 1);
+  EXPECT_FALSE(cycle_.result().flags & idl::estimate_flag::implausible);
+  EXPECT_GE(count(cycle_.events(), idl::EventKind::unlikely_engine, false), 1);
 }
 
 TEST_F(FleetWatchTest, SigmaGrowsWithTheExcessInItsPartsOnly) {
@@ -166,7 +166,7 @@ TEST_F(FleetWatchTest, ABiasFromTheFirstSampleStandsOut) {
         cycle.process(s);
       }
       const bool named = !cycle.result().sensors_used[i];
-      const bool doubted = (cycle.result().flags & wire::estimate_flag::implausible) != 0 || cycle.doubted();
+      const bool doubted = (cycle.result().flags & idl::estimate_flag::implausible) != 0 || cycle.doubted();
       EXPECT_TRUE(named || doubted) << i << ' ' << sigmas;
     }
   }

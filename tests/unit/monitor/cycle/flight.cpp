@@ -2,19 +2,19 @@
 
 #include <cmath>
 
-#include "monitor/estimation/stationary_covariance.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 
 namespace ehm::test {
 
 std::shared_ptr<const design::Design> made_up_design() {
   static const auto design =
-      std::make_shared<const design::Design>(bench::design_tuner(made_up_model(7, 10), design::DesignOptions{}));
+      std::make_shared<const design::Design>(tuner_design::design_tuner(made_up_model(7, 10), design::DesignOptions{}));
   return design;
 }
 
-Flight::Flight(const estimation::LinearModel& model, const Eigen::VectorXd& h, std::uint64_t seed)
+Flight::Flight(const linear_model::LinearModel& model, const Eigen::VectorXd& h, std::uint64_t seed)
     : model_(model),
       h_(h),
       x_(estimation::steady_gain(model).X * h),
@@ -23,7 +23,7 @@ Flight::Flight(const estimation::LinearModel& model, const Eigen::VectorXd& h, s
 
 void Flight::start_moving() {
   process_noise_sigma_ = model_.process_noise.diagonal().cwiseSqrt();
-  x_ += estimation::covariance_root(estimation::stationary_covariance(model_.A, model_.process_noise)) *
+  x_ += linear_model::covariance_root(linear_model::stationary_covariance(model_.A, model_.process_noise)) *
         random_.normal_vector(x_.size());
 }
 

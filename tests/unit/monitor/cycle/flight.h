@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "monitor/cycle/monitor_cycle.h"
+#include "monitor/data/sample.h"
 #include "monitor/design/design.h"
-#include "monitor/monitor_cycle.h"
-#include "monitor/sample.h"
 #include "tests/unit/tuner_design/test_models.h"
 
 namespace ehm::test {
@@ -17,7 +17,7 @@ std::shared_ptr<const design::Design> made_up_design();
 class Flight {
  public:
   /// Starts in steady state with health `h` (channel units).
-  Flight(const estimation::LinearModel& model, const Eigen::VectorXd& h, std::uint64_t seed);
+  Flight(const linear_model::LinearModel& model, const Eigen::VectorXd& h, std::uint64_t seed);
 
   /// The next sample in order; advances the engine.
   monitor::Sample next();
@@ -30,7 +30,7 @@ class Flight {
   Eigen::VectorXd auxiliary() const;
 
  private:
-  estimation::LinearModel model_;
+  linear_model::LinearModel model_;
   Eigen::VectorXd h_, x_;
   Eigen::VectorXd process_noise_sigma_;  ///< 0 while the engine does not move
   double du_ = 0.0;

@@ -9,8 +9,8 @@ namespace {
 using namespace ehm;
 using namespace ehm::monitor;
 
-estimation::LinearModel model() {
-  estimation::LinearModel m;
+linear_model::LinearModel model() {
+  linear_model::LinearModel m;
   m.health = {{"hpc_efficiency", "fraction", 0.0}};
   m.auxiliary = {{"T40", "K", 1300.0}};
   return m;
@@ -41,7 +41,7 @@ TEST(LimitWatch, WatchesHealthFromBelow) {
   const estimation::AuxiliaryVector auxiliary = estimation::AuxiliaryVector::Constant(1, 1300.0);
   watch.judge(estimation::HealthVector::Constant(1, -0.03), auxiliary, events);
   ASSERT_EQ(events.size(), 1u);
-  EXPECT_EQ(events.begin()->kind, wire::EventKind::health_limit);
+  EXPECT_EQ(events.begin()->kind, idl::EventKind::health_limit);
   EXPECT_DOUBLE_EQ(events.begin()->value, -0.03);
 }
 

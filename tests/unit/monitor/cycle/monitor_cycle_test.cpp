@@ -1,4 +1,4 @@
-#include "monitor/monitor_cycle.h"
+#include "monitor/cycle/monitor_cycle.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace {
 
 using namespace ehm;
 using namespace ehm::monitor;
-namespace reason = ehm::wire::reject_reason;
-namespace flag = ehm::wire::estimate_flag;
+namespace reason = ehm::idl::reject_reason;
+namespace flag = ehm::idl::estimate_flag;
 
 constexpr int sensor = 2;  // the one that the faults hit
 constexpr int settle = 2000;
@@ -44,7 +44,7 @@ class MonitorCycleTest : public testing::Test {
   const CycleResult& fly(int samples) {
     return fly(samples, [](Sample&) {});
   }
-  int count(wire::EventKind kind, bool raised) const {
+  int count(idl::EventKind kind, bool raised) const {
     return static_cast<int>(std::count_if(events_.begin(), events_.end(),
                                           [&](const Event& e) { return e.kind == kind && e.raised == raised; }));
   }
@@ -97,7 +97,7 @@ TEST_F(MonitorCycleTest, BridgesAFewMissingValues) {
 TEST_F(MonitorCycleTest, AMissingSensorsDesignTakesOverAndGoesAgain) {
   fly(settle);
   const auto& result = fly(300, [](Sample& s) { s.sensor_valid &= ~(1u << sensor); });
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 1);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, true), 1);
   EXPECT_TRUE(result.flags & flag::degraded);
   EXPECT_FALSE(result.sensors_used[sensor]);
   EXPECT_EQ(result.reason[sensor], reason::source_invalid | reason::excluded);
@@ -111,7 +111,7 @@ TEST_F(MonitorCycleTest, AMissingSensorsDesignTakesOverAndGoesAgain) {
   EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
   fly(2);
   EXPECT_TRUE(cycle_.result().sensors_used[sensor]);
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 1);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 1);
   fly(settle);
   expect_within_sigmas(3.0);
 }
@@ -119,8 +119,8 @@ TEST_F(MonitorCycleTest, AMissingSensorsDesignTakesOverAndGoesAgain) {
 TEST_F(MonitorCycleTest, ABiasedSensorIsExcludedAndStaysOut) {
   fly(settle);
   fly(3000, [&](Sample& s) { s.sensor[sensor] += 12.0 * noise(sensor); });
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 1);
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 0);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, true), 1);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 0);
   EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
   EXPECT_TRUE(cycle_.result().reason[sensor] & reason::innovation_gate);
   expect_within_sigmas(3.0);
@@ -133,20 +133,20 @@ TEST_F(MonitorCycleTest, AnEngineChangeIsFollowedNotRejected) {
   flight_->set_health(h);
   fly(settle);
   EXPECT_EQ(cycle_.filter().sensor_set(), estimation::SensorSet::full());
-  EXPECT_EQ(count(wire::EventKind::health_shift, true), 1);
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 0);
+  EXPECT_EQ(count(idl::EventKind::health_shift, true), 1);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, true), 0);
 }
 
 TEST_F(MonitorCycleTest, WithTwoSensorsGoneEstimatesAreWithheldAndComeBack) {
   fly(settle);
   const auto& result = fly(50, [](Sample& s) { s.sensor_valid &= ~0b110u; });
   EXPECT_FALSE(result.estimates);
-  EXPECT_EQ(count(wire::EventKind::no_design, true), 1);
+  EXPECT_EQ(count(idl::EventKind::no_design, true), 1);
   EXPECT_GT(cycle_.counters().withheld, 40u);
   fly(250);
   EXPECT_TRUE(cycle_.result().estimates);
   EXPECT_TRUE(cycle_.result().flags & flag::converging);  // from a cold start, and it says so
-  EXPECT_EQ(count(wire::EventKind::no_design, false), 1);
+  EXPECT_EQ(count(idl::EventKind::no_design, false), 1);
   fly(settle);
   expect_within_sigmas(3.0);
 }
@@ -158,10 +158,10 @@ TEST_F(MonitorCycleTest, OffDesignEstimatesAreWithheld) {
   EXPECT_FALSE(result.estimates);
   EXPECT_TRUE(result.flags & flag::off_design);
   EXPECT_EQ(result.reason[0] & reason::withheld, reason::withheld);
-  EXPECT_EQ(count(wire::EventKind::operating_point, true), 1);
+  EXPECT_EQ(count(idl::EventKind::operating_point, true), 1);
   fly(1);
   EXPECT_TRUE(cycle_.result().estimates);
-  EXPECT_EQ(count(wire::EventKind::operating_point, false), 1);
+  EXPECT_EQ(count(idl::EventKind::operating_point, false), 1);
 }
 
 TEST_F(MonitorCycleTest, RetiringEndsEveryConditionThatIsRaised) {
@@ -171,15 +171,15 @@ TEST_F(MonitorCycleTest, RetiringEndsEveryConditionThatIsRaised) {
   fly(10, [&](Sample& s) { s.actuator[0] = 1.2 * trim; });  // beyond the operating point
   cycle_.no_input(1.0);
   take_events();
-  for (const auto kind : {wire::EventKind::operating_point, wire::EventKind::no_design, wire::EventKind::input_lost,
-                          wire::EventKind::sensor_fault})
+  for (const auto kind : {idl::EventKind::operating_point, idl::EventKind::no_design, idl::EventKind::input_lost,
+                          idl::EventKind::sensor_fault})
     EXPECT_GT(count(kind, true), count(kind, false)) << static_cast<int>(kind);
   cycle_.retire();
   take_events();
-  for (std::uint32_t kind = 1; kind < wire::event_kind_names.size(); ++kind) {
-    const auto k = static_cast<wire::EventKind>(kind);
-    if (k == wire::EventKind::filter_restart) continue;  // not a condition
-    EXPECT_EQ(count(k, true), count(k, false)) << wire::event_kind_names[kind];
+  for (std::uint32_t kind = 1; kind < idl::event_kind_names.size(); ++kind) {
+    const auto k = static_cast<idl::EventKind>(kind);
+    if (k == idl::EventKind::filter_restart) continue;  // not a condition
+    EXPECT_EQ(count(k, true), count(k, false)) << idl::event_kind_names[kind];
   }
 }
 
@@ -234,7 +234,7 @@ TEST_F(MonitorCycleTest, ARestartedSourceRestartsTheFilterAndSaysSo) {
   cycle_.process(s);
   EXPECT_EQ(cycle_.counters().restarts, 1u);
   ASSERT_EQ(cycle_.events().size(), 1u);
-  EXPECT_EQ(cycle_.events().begin()->kind, wire::EventKind::filter_restart);
+  EXPECT_EQ(cycle_.events().begin()->kind, idl::EventKind::filter_restart);
   EXPECT_TRUE(cycle_.result().flags & flag::converging);
 }
 
@@ -257,7 +257,7 @@ TEST_F(MonitorCycleTest, ASecondSourceIsNotListenedToUntilTheFirstIsSilent) {
   EXPECT_EQ(cycle_.counters().foreign, 10u);
   EXPECT_EQ(cycle_.filter().health(), before);
   ASSERT_EQ(cycle_.events().size(), 1u);  // said once
-  EXPECT_EQ(cycle_.events().begin()->kind, wire::EventKind::second_source);
+  EXPECT_EQ(cycle_.events().begin()->kind, idl::EventKind::second_source);
   cycle_.no_input(1.0);
   Sample s = other.next();
   s.source_id = 9;
@@ -268,7 +268,7 @@ TEST_F(MonitorCycleTest, ASecondSourceIsNotListenedToUntilTheFirstIsSilent) {
 TEST_F(MonitorCycleTest, AnotherSampleTimeIsNoticedAndEstimatesAreWithheld) {
   fly(200, [](Sample& s) { s.source_time_ns *= 2; });
   EXPECT_FALSE(cycle_.result().estimates);
-  EXPECT_EQ(count(wire::EventKind::sample_time, true), 1);
+  EXPECT_EQ(count(idl::EventKind::sample_time, true), 1);
 }
 
 TEST_F(MonitorCycleTest, LostInputIsRaisedOnceAndClearedByTheNextSample) {
@@ -282,7 +282,7 @@ TEST_F(MonitorCycleTest, LostInputIsRaisedOnceAndClearedByTheNextSample) {
   cycle_.clear_events();
   fly(1);
   EXPECT_FALSE(cycle_.stale());
-  EXPECT_EQ(count(wire::EventKind::input_lost, false), 1);
+  EXPECT_EQ(count(idl::EventKind::input_lost, false), 1);
 }
 
 TEST_F(MonitorCycleTest, SameSamplesSameBits) {
@@ -304,7 +304,7 @@ TEST_F(MonitorCycleTest, AnOperatorsResetReadmitsNoSensorThatWasNamed) {
   events_.clear();
   cycle_.reset();
   fly(3000, biased);
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 0);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 0);
   EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
   expect_within_sigmas(3.0);
   // Well again it returns, though not before the filter is warm enough to judge it.
@@ -313,7 +313,7 @@ TEST_F(MonitorCycleTest, AnOperatorsResetReadmitsNoSensorThatWasNamed) {
   EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
   fly(3000);
   EXPECT_TRUE(cycle_.result().sensors_used[sensor]);
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 1);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 1);
 }
 
 TEST_F(MonitorCycleTest, AGapReadmitsNoSensorThatWasNamed) {
@@ -323,7 +323,7 @@ TEST_F(MonitorCycleTest, AGapReadmitsNoSensorThatWasNamed) {
   for (int i = 0; i < 400; ++i) flight_->next();  // six seconds
   fly(1000, biased);
   EXPECT_EQ(cycle_.counters().restarts, 1u);
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, false), 0);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 0);
   EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
 }
 
@@ -334,7 +334,7 @@ TEST_F(MonitorCycleTest, AFrozenSensorWhoseLastBitTogglesIsNamed) {
     if (held == 0.0) held = s.sensor[sensor];
     held = s.sensor[sensor] = std::nextafter(held, s.sequence % 2 ? 1e9 : -1e9);
   });
-  EXPECT_EQ(count(wire::EventKind::sensor_fault, true), 1);
+  EXPECT_EQ(count(idl::EventKind::sensor_fault, true), 1);
   EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
   EXPECT_TRUE(cycle_.result().reason[sensor] & reason::quiet);
 }

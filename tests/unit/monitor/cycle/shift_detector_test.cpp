@@ -23,7 +23,7 @@ std::vector<Event> shifts(std::size_t parameter, double change, int after, std::
     }
     cycle.process(flight.next());
     for (const Event& e : cycle.events())
-      if (e.kind == wire::EventKind::health_shift) found.push_back(e);
+      if (e.kind == idl::EventKind::health_shift) found.push_back(e);
     cycle.clear_events();
   }
   return found;

@@ -18,7 +18,7 @@ using namespace ehm::monitor;
 
 /// Raised events of an engine with health `h` whose tuners follow a bias of `sigmas` of one sensor.
 std::vector<Event> judged(const design::Design& design, const Eigen::VectorXd& h, int sensor, double sigmas) {
-  const auto model = estimation::scaled(design.model, design.scaling);
+  const auto model = linear_model::scaled(design.model, design.scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(model).H;
   Eigen::VectorXd ys = H * h;
   ys(sensor) += sigmas * model.sensor_noise_sigma(sensor);
@@ -34,8 +34,7 @@ std::vector<Event> judged(const design::Design& design, const Eigen::VectorXd& h
 
 TEST(SlowBias, FollowsItsDetectability) {
   const auto design = test::made_up_design();
-  const Eigen::VectorXd detectability =
-      design::slow_bias_detectability(design->model, design->scaling, design->full);
+  const Eigen::VectorXd detectability = design::slow_bias_detectability(design->model, design->scaling, design->full);
   const SlowBias judge(FaultOptions{}, slow_bias_table(*design));
   for (int i = 0; i < 7; ++i) {
     EXPECT_EQ(judge.watches(i), detectability(i) > 5.0) << i;

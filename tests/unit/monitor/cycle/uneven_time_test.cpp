@@ -14,7 +14,7 @@ namespace {
 
 using namespace ehm;
 using namespace ehm::monitor;
-using wire::EventKind;
+using idl::EventKind;
 
 constexpr std::int64_t start_ns = 1'700'000'000'000'000'000;  // of a clock that counts since 1970
 constexpr std::int64_t ms = 1'000'000;

@@ -9,11 +9,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "monitor/design/content_hash.h"
-#include "monitor/design/file_error.h"
-#include "monitor/design/json_object.h"
+#include "deploy/runtime/files/content_hash.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/files/json_object.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 
 namespace ehm::design {
 namespace {
@@ -47,7 +47,7 @@ class DesignFile : public ::testing::Test {
     json["hash"] = new_hash;
     rewrite(json.dump());
   }
-  const Design design = bench::design_tuner(test::made_up_model(), {});
+  const Design design = tuner_design::design_tuner(test::made_up_model(), {});
   const std::string path = test::temporary_path("design_file_test.json");
   std::string hash;
 };

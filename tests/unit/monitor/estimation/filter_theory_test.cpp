@@ -7,7 +7,7 @@
 
 #include "monitor/design/make_filter.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 
 namespace ehm::estimation {
 namespace {
@@ -68,7 +68,7 @@ class FilterTheory : public ::testing::Test {
     model.process_noise *= 4.0;
     return model;
   }
-  const design::Design design = bench::design_tuner(restless(), {});
+  const design::Design design = tuner_design::design_tuner(restless(), {});
   test::Random random{77};
 };
 

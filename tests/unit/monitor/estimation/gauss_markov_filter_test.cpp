@@ -8,11 +8,11 @@
 #include <cmath>
 #include <limits>
 
-#include "monitor/estimation/discretise.h"
-#include "monitor/estimation/scaling.h"
+#include "engine_sim/linear_model/discretise.h"
+#include "engine_sim/linear_model/scaling.h"
 #include "tests/unit/monitor/estimation/allocation_counter.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 #include "tuner_design/full_order/gauss_markov.h"
 
 namespace ehm::estimation {
@@ -23,14 +23,14 @@ class GaussMarkov : public ::testing::Test {
   static design::Design closed_form() {
     design::DesignOptions options;
     options.tuning = design::Tuning::closed_form;
-    return bench::design_tuner(test::made_up_model(4, 6), options);
+    return tuner_design::design_tuner(test::made_up_model(4, 6), options);
   }
   const design::Design tuners = closed_form();
   const LinearModel model = scaled(tuners.model, tuners.scaling);
   const SteadyGain steady = steady_gain(model);
-  const double rho = bench::gauss_markov_rho(model, tuners.options.qh_percent2);
-  const design::SubsetDesign theory = bench::gauss_markov_design(model, steady, rho);
-  const GaussMarkovFilter filter{full_order_model(model), bench::gauss_markov_gain(theory, rho)};
+  const double rho = tuner_design::gauss_markov_rho(model, tuners.options.qh_percent2);
+  const design::SubsetDesign theory = tuner_design::gauss_markov_design(model, steady, rho);
+  const GaussMarkovFilter filter{full_order_model(model), tuner_design::gauss_markov_gain(theory, rho)};
   test::Random random{7};
 };
 
@@ -38,17 +38,17 @@ TEST_F(GaussMarkov, RhoMatchesTheTunersDriveAndSpeed) {
   // (1 - rho^2) (2 %)^2 = 1e-3 percent^2
   EXPECT_NEAR((1.0 - rho * rho) * 4.0, 1e-3, 1e-12);
   EXPECT_NEAR(theory.slowest_time_constant_s / tuners.full.slowest_time_constant_s, 1.0, 0.02);
-  EXPECT_THROW(bench::gauss_markov_rho(model, 4.0), std::invalid_argument);
-  EXPECT_THROW(bench::gauss_markov_rho(model, 0.0), std::invalid_argument);
-  EXPECT_THROW(bench::gauss_markov_design(model, steady, 1.0), std::invalid_argument);
+  EXPECT_THROW(tuner_design::gauss_markov_rho(model, 4.0), std::invalid_argument);
+  EXPECT_THROW(tuner_design::gauss_markov_rho(model, 0.0), std::invalid_argument);
+  EXPECT_THROW(tuner_design::gauss_markov_design(model, steady, 1.0), std::invalid_argument);
 }
 
 TEST_F(GaussMarkov, ReachesTheBayesLimitAsItSlowsDown) {
   const double limit = tuners.bayes_limit.health.sum();
   double previous = std::numeric_limits<double>::infinity();
   for (const double qh : {1e-2, 1e-4, 1e-6}) {
-    const double ssee =
-        bench::gauss_markov_design(model, steady, bench::gauss_markov_rho(model, qh)).health_total_covariance.trace();
+    const double ssee = tuner_design::gauss_markov_design(model, steady, tuner_design::gauss_markov_rho(model, qh))
+                            .health_total_covariance.trace();
     EXPECT_GT(ssee, limit);
     EXPECT_LT(ssee, previous);
     previous = ssee;
@@ -123,7 +123,7 @@ TEST_F(GaussMarkov, AllocatesNothing) {
 }
 
 TEST_F(GaussMarkov, RefusesAGainThatDoesNotFit) {
-  GaussMarkovGain gain = bench::gauss_markov_gain(theory, rho);
+  GaussMarkovGain gain = tuner_design::gauss_markov_gain(theory, rho);
   gain.rho = 1.0;
   EXPECT_THROW(GaussMarkovFilter(full_order_model(model), gain), std::invalid_argument);
   gain.rho = rho;

@@ -10,14 +10,14 @@
 #include <cmath>
 #include <limits>
 
-#include "monitor/estimation/scaling.h"
-#include "monitor/estimation/stationary_covariance.h"
+#include "engine_sim/linear_model/scaling.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/monitor/estimation/allocation_counter.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/bayes_limit.h"
 #include "tuner_design/full_order/limit_after.h"
-#include "tuner_design/map_estimator.h"
+#include "tuner_design/theory/bayes_limit.h"
+#include "tuner_design/theory/map_estimator.h"
 
 namespace ehm::estimation {
 namespace {
@@ -42,8 +42,8 @@ struct Fleet {
 /// Health covariance of full MAP on the average of `samples` samples.
 Eigen::MatrixXd map_on_average(const Fleet& fleet, int samples) {
   const Eigen::MatrixXd R = fleet.R / samples;
-  const Eigen::MatrixXd E = bench::full_map_gain(fleet.steady.H, fleet.Ph, R);
-  return bench::snapshot_error_covariance(E, fleet.steady.H, fleet.Ph, R);
+  const Eigen::MatrixXd E = tuner_design::full_map_gain(fleet.steady.H, fleet.Ph, R);
+  return tuner_design::snapshot_error_covariance(E, fleet.steady.H, fleet.Ph, R);
 }
 
 const SensorMask all_sensors = SensorMask{}.set();
@@ -57,7 +57,7 @@ TEST(TimeVaryingFilter, OneSampleOfASettledEngineIsFullMap) {
   TimeVaryingFilter filter(full_order_model(model));
   filter.innovation(y, no_actuators);
   filter.update(all_sensors);
-  const Eigen::VectorXd map = bench::full_map_gain(fleet.steady.H, fleet.Ph, fleet.R) * y;
+  const Eigen::VectorXd map = tuner_design::full_map_gain(fleet.steady.H, fleet.Ph, fleet.R) * y;
   EXPECT_LT((filter.health() - map).norm(), 1e-12 * map.norm());
   EXPECT_LT((filter.auxiliary() - fleet.steady.Hz * map).norm(), 1e-12 * map.norm());
   EXPECT_TRUE(filter.covariance().bottomRightCorner(6, 6).isApprox(map_on_average(fleet, 1), 1e-12));
@@ -72,11 +72,11 @@ TEST(TimeVaryingFilter, OneSampleOfAMovingEngineIsFullMapWithItsMotionAsNoise) {
   const Eigen::MatrixXd motion = stationary_covariance(model.A, model.process_noise);
   EXPECT_LT((model.A * motion * model.A.transpose() + model.process_noise - motion).norm(), 1e-12 * motion.norm());
   const Eigen::MatrixXd R = fleet.R + model.C * motion * model.C.transpose();
-  const Eigen::MatrixXd E = bench::full_map_gain(fleet.steady.H, fleet.Ph, R);
+  const Eigen::MatrixXd E = tuner_design::full_map_gain(fleet.steady.H, fleet.Ph, R);
   TimeVaryingFilter filter(full_order_model(model));
   filter.update(all_sensors);
   EXPECT_TRUE(filter.covariance().bottomRightCorner(6, 6).isApprox(
-      bench::snapshot_error_covariance(E, fleet.steady.H, fleet.Ph, R), 1e-9));
+      tuner_design::snapshot_error_covariance(E, fleet.steady.H, fleet.Ph, R), 1e-9));
 }
 
 TEST(TimeVaryingFilter, ManySamplesAreMapOnTheirAverageAndTendToTheBayesLimit) {
@@ -85,12 +85,12 @@ TEST(TimeVaryingFilter, ManySamplesAreMapOnTheirAverageAndTendToTheBayesLimit) {
   for (const int samples : {1, 2, 10, 1000}) {
     SCOPED_TRACE(samples);
     const Eigen::MatrixXd map = map_on_average(fleet, samples);
-    const design::ErrorByChannel limit = bench::limit_after(model, samples);
+    const design::ErrorByChannel limit = tuner_design::limit_after(model, samples);
     EXPECT_TRUE(limit.health.isApprox(map.diagonal(), 1e-9));
     EXPECT_TRUE(limit.auxiliary.isApprox((fleet.steady.Hz * map * fleet.steady.Hz.transpose()).diagonal(), 1e-9));
   }
-  const Eigen::MatrixXd U = bench::bayes_limit_factor(fleet.steady.H, fleet.Ph);
-  const design::ErrorByChannel late = bench::limit_after(model, 100000);
+  const Eigen::MatrixXd U = tuner_design::bayes_limit_factor(fleet.steady.H, fleet.Ph);
+  const design::ErrorByChannel late = tuner_design::limit_after(model, 100000);
   EXPECT_GT(late.health.sum(), U.squaredNorm());
   EXPECT_NEAR(late.health.sum() / U.squaredNorm(), 1.0, 1e-4);
   EXPECT_NEAR(late.auxiliary.sum() / (fleet.steady.Hz * U).squaredNorm(), 1.0, 1e-3);
@@ -98,12 +98,12 @@ TEST(TimeVaryingFilter, ManySamplesAreMapOnTheirAverageAndTendToTheBayesLimit) {
 
 TEST(TimeVaryingFilter, TheWindowIsTheMeanOfItsSamples) {
   const LinearModel model = scaled_engine(true);
-  const design::ErrorByChannel nine = bench::limit_after(model, 9), ten = bench::limit_after(model, 10);
-  const design::ErrorByChannel mean = bench::limit_after(model, 10, 2);
+  const design::ErrorByChannel nine = tuner_design::limit_after(model, 9), ten = tuner_design::limit_after(model, 10);
+  const design::ErrorByChannel mean = tuner_design::limit_after(model, 10, 2);
   EXPECT_TRUE(mean.health.isApprox(0.5 * (nine.health + ten.health), 1e-14));
   EXPECT_TRUE(mean.auxiliary.isApprox(0.5 * (nine.auxiliary + ten.auxiliary), 1e-14));
-  EXPECT_THROW(bench::limit_after(model, 10, 11), std::invalid_argument);
-  EXPECT_THROW(bench::limit_after(model, 10, 0), std::invalid_argument);
+  EXPECT_THROW(tuner_design::limit_after(model, 10, 11), std::invalid_argument);
+  EXPECT_THROW(tuner_design::limit_after(model, 10, 0), std::invalid_argument);
 }
 
 /// Every third sample lacks sensor 1, every fifth all but sensor 2.

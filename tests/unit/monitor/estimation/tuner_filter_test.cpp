@@ -13,7 +13,7 @@
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/monitor/estimation/allocation_counter.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 
 namespace ehm::estimation {
 namespace {
@@ -22,7 +22,7 @@ const SensorMask all{0xFFFF};
 
 /// Filter of a made-up engine, 4 sensors and 6 health parameters.
 struct Bench {
-  design::Design design = bench::design_tuner(test::made_up_model(), {});
+  design::Design design = tuner_design::design_tuner(test::made_up_model(), {});
   TunerFilter filter = design::make_filter(design);
   Eigen::MatrixXd H = steady_gain(design.model).H;
   Eigen::MatrixXd Hz = steady_gain(design.model).Hz;
@@ -191,7 +191,7 @@ TEST(TunerFilter, ResetForgets) {
 TEST(TunerFilter, HealthAtTrimIsAdded) {
   LinearModel model = test::made_up_model();
   model.health[3].trim = -0.015;
-  const TunerFilter filter = design::make_filter(bench::design_tuner(model, {}));
+  const TunerFilter filter = design::make_filter(tuner_design::design_tuner(model, {}));
   EXPECT_DOUBLE_EQ(filter.health()(3), -0.015);
 }
 
@@ -218,7 +218,7 @@ TEST(TunerFilter, TheCounterCountsWhatEigenAndNewAllocate) {
 }
 
 TEST(TunerFilter, MatricesThatDoNotFitAreNamed) {
-  TunerFilterModel model = design::make_filter(bench::design_tuner(test::made_up_model(), {})).model();
+  TunerFilterModel model = design::make_filter(tuner_design::design_tuner(test::made_up_model(), {})).model();
   model.full.K.resize(6, 3);
   try {
     TunerFilter filter(model);

@@ -33,7 +33,7 @@ design::Design small_design() {
   m.D = Eigen::Vector3d(1000.0, 500.0, 100.0);    // per kg/s
   m.M = Eigen::Vector3d(1000.0, 200.0, 100.0);    // per unit of health
   m.F = m.G = m.N = Eigen::MatrixXd::Zero(0, 1);  // nothing else is estimated
-  m.operating_point = estimation::OperatingPoint{10000.0, 0.8, 0.0};
+  m.operating_point = linear_model::OperatingPoint{10000.0, 0.8, 0.0};
   return design;
 }
 
@@ -61,7 +61,7 @@ SourceRecord fly(const Change& change = {}, std::uint64_t samples = 200) {
   for (std::uint64_t k = 0; k < samples; ++k) {
     EngineSensors s;
     s.engine_id(1);
-    s.schema(wire::schema_version);
+    s.schema(idl::schema_version);
     s.sequence_number(k);
     s.source_time_ns(1'000'000'000'000 + static_cast<std::int64_t>(k) * 15'000'000);
     s.altitude_m(10000.0);

@@ -1,4 +1,4 @@
-#include "monitor/engine_index.h"
+#include "monitor/service/engine_index.h"
 
 #include <gtest/gtest.h>
 

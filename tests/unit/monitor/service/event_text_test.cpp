@@ -1,4 +1,4 @@
-#include "monitor/dds/event_text.h"
+#include "monitor/service/event_text.h"
 #include "idl/printable.h"
 
 #include <gmock/gmock.h>
@@ -11,11 +11,11 @@
 namespace {
 
 using namespace ehm;
+using idl::EventKind;
 using monitor::Event;
-using wire::EventKind;
 
-estimation::LinearModel model() {
-  estimation::LinearModel m;
+linear_model::LinearModel model() {
+  linear_model::LinearModel m;
   m.sensors = {{"T30", "K", 667.0}};
   m.sensor_noise_sigma = Eigen::VectorXd::Constant(1, 5.024);
   m.health = {{"hpc_efficiency", "fraction", 0.0}};
@@ -28,7 +28,7 @@ std::string text(const Event& event) {
 }
 
 TEST(EventText, SaysWhatHappenedToWhichChannel) {
-  namespace reason = wire::reject_reason;
+  namespace reason = idl::reject_reason;
   EXPECT_EQ(text({EventKind::sensor_fault, 0, true, 1.4, 1.0, reason::range | reason::rate}),
             "sensor T30 is faulty (out of range, impossible rate) and no longer used");
   EXPECT_EQ(
@@ -120,13 +120,13 @@ TEST(EventText, NamesTheChannelOnlyWhereThereIsOne) {
 }
 
 TEST(EventText, FitsTheWire) {
-  estimation::LinearModel m = model();
+  linear_model::LinearModel m = model();
   m.health[0] = {std::string(63, 'h'), std::string(31, 'u'), 0.0};
   EXPECT_LE(monitor::event_text({EventKind::health_shift, 0, true, -0.123456, 0.123456, 0}, m).size(), 255u);
 }
 
 TEST(Printable, KeepsTextAndNothingElse) {
-  EXPECT_EQ(wire::printable("state/engine_1.json: 'x' \xff\n\x7f"), "state/engine_1.json: 'x' ???");
+  EXPECT_EQ(idl::printable("state/engine_1.json: 'x' \xff\n\x7f"), "state/engine_1.json: 'x' ???");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <thread>
 
-#include "monitor/judge/events.h"
+#include "monitor/data/events.h"
 #include "monitor/realtime/latency_histogram.h"
 #include "monitor/realtime/spsc_queue.h"
 
@@ -57,7 +57,7 @@ TEST(SpscQueue, KeepsOrderBetweenTwoThreads) {
 
 TEST(EventList, CountsWhatDoesNotFit) {
   EventList events;
-  for (int i = 0; i < 70; ++i) events.push({wire::EventKind::sensor_fault, 0, true, 0.0, 0.0, 0});
+  for (int i = 0; i < 70; ++i) events.push({idl::EventKind::sensor_fault, 0, true, 0.0, 0.0, 0});
   EXPECT_EQ(events.size(), 64u);
   EXPECT_EQ(events.overflow(), 6u);
   EXPECT_EQ(events.raised_total(), 70u);

@@ -5,16 +5,16 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/design_tuner.h"
-#include "tuner_design/monte_carlo/evaluation_report.h"
+#include "tuner_design/design/design_tuner.h"
 #include "tuner_design/monte_carlo/finite_window.h"
 #include "tuner_design/monte_carlo/kalman_experiment.h"
 #include "tuner_design/monte_carlo/map_experiment.h"
+#include "tuner_design/print/evaluation_report.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
-design::Design designed(const estimation::LinearModel& model, double qh_percent2) {
+design::Design designed(const linear_model::LinearModel& model, double qh_percent2) {
   design::DesignOptions options;
   options.qh_percent2 = qh_percent2;
   return design_tuner(model, options);
@@ -41,7 +41,7 @@ double off_by(const Experiment& each, const design::ErrorByChannel& theory) {
        std::abs(each.experiment.auxiliary.sum() - theory.auxiliary.sum()) / each.standard_error_of_total.auxiliary});
 }
 
-void expect_agreement(const estimation::LinearModel& model, bool process_noise) {
+void expect_agreement(const linear_model::LinearModel& model, bool process_noise) {
   const design::Design design = designed(model, 1e-4);
   EvaluateOptions options = short_runs();
   options.process_noise = process_noise;
@@ -71,7 +71,7 @@ TEST(Evaluation, FliesWithProcessNoiseUnlessToldOtherwise) {
 }
 
 TEST(Evaluation, WithoutProcessNoiseInTheModelItChangesNothing) {
-  estimation::LinearModel model = test::made_up_model();
+  linear_model::LinearModel model = test::made_up_model();
   model.process_noise.setZero();
   const design::Design design = designed(model, 1e-4);
   const Window window = window_of(3.0, 1.0, 0.015);
@@ -85,7 +85,7 @@ TEST(Evaluation, WithoutProcessNoiseInTheModelItChangesNothing) {
 
 TEST(Evaluation, AgreesWithTheoryUnderProcessNoise) {
   // So strong that the theory without it is wrong.
-  estimation::LinearModel model = test::made_up_model();
+  linear_model::LinearModel model = test::made_up_model();
   model.process_noise *= 400.0;
   expect_agreement(model, true);
   const design::Design design = designed(model, 1e-4);
@@ -104,7 +104,7 @@ TEST(Evaluation, AgreesWithTheoryOnTheReferenceEngine) {
 }
 
 TEST(Evaluation, DisagreesWithTheTheoryOfAnotherQh) {
-  const estimation::LinearModel model = test::made_up_model();
+  const linear_model::LinearModel model = test::made_up_model();
   EvaluateOptions options = short_runs();
   options.map = false;
   options.runs = 3000, options.seconds = 1.5, options.window = 1.0;
@@ -174,4 +174,4 @@ TEST(Evaluation, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -1,4 +1,4 @@
-// Theory of a finite window: against the figures of THEORY section 4, against the monitor's own error propagation, and
+// Theory of a finite window: against the figures of theory.md, section 4, against the monitor's own error propagation, and
 // in its limits.
 
 #include "tuner_design/monte_carlo/finite_window.h"
@@ -7,13 +7,13 @@
 
 #include "monitor/design/make_error_model.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/design_tuner.h"
+#include "tuner_design/design/design_tuner.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 design::Design made_up_design(double qh_percent2, bool with_linearisation_error) {
-  estimation::LinearModel model = test::made_up_model();
+  linear_model::LinearModel model = test::made_up_model();
   if (with_linearisation_error) {
     test::Random random(9);
     Eigen::VectorXd size(6);
@@ -35,7 +35,7 @@ TEST(FiniteWindow, IsTheReferenceAtTheReferenceQh) {
   const Window window = window_of(30.0, 10.0, 0.015);
   const WindowError error = finite_window_error(design, window, true),
                     still = finite_window_error(design, window, false);
-  // THEORY section 4: h 12.44, z 108.2 with temperatures in degR of an engine in balance; the recursion in numpy for
+  // theory.md, section 4: h 12.44, z 108.2 with temperatures in degR of an engine in balance; the recursion in numpy for
   // V = H Ph gives 12.4379, 108.165, and with process noise 12.4390, 108.513. The search moves V a little.
   const auto rankine = [](const Eigen::VectorXd& z) { return 3.24 * (z(0) + z(1)) + z(2) + z(3); };
   EXPECT_NEAR(still.linear.health.sum(), 12.44, 0.005);
@@ -46,7 +46,7 @@ TEST(FiniteWindow, IsTheReferenceAtTheReferenceQh) {
 }
 
 TEST(FiniteWindow, AnEngineInBalanceHasTheErrorOfTheory) {
-  // The filter is made for the model's Q, the engine then stays in balance: the figures of THEORY section 5.
+  // The filter is made for the model's Q, the engine then stays in balance: the figures of theory.md, section 5.
   const auto model = test::jt9d_cruise();
   if (!model) GTEST_SKIP() << test::no_reference;
   design::DesignOptions options;
@@ -108,4 +108,4 @@ TEST(FiniteWindow, RefusesWindowsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

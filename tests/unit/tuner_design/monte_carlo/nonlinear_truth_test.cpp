@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "engine_sim/model/engines/jt9d.h"
-#include "engine_sim/model/transient.h"
+#include "engine_sim/engines/jt9d.h"
+#include "engine_sim/model/solve/transient.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/design_tuner.h"
-#include "tuner_design/linearise.h"
+#include "tuner_design/design/design_tuner.h"
+#include "tuner_design/linearise/linearise.h"
 #include "tuner_design/monte_carlo/evaluation.h"
 #include "tuner_design/monte_carlo/truth.h"
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 /// Cruise of linearise_command.cpp, Qh at its default.
@@ -19,9 +19,9 @@ const design::Design& cruise_design(LineariseMethod method) {
   static const auto made = [](LineariseMethod each) {
     LineariseOptions options;
     options.flight = {10668.0, 0.8, 0.0};
-    options.demand = {engine::DemandKind::t40_k, 1308.6};
+    options.demand = {engine_sim::DemandKind::t40_k, 1308.6};
     options.method = each;
-    return design_tuner(linearise(engine::Turbofan(engine::jt9d()), options).model, {});
+    return design_tuner(linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model, {});
   };
   static const design::Design tangent = made(LineariseMethod::perturbation), fleet = made(LineariseMethod::fleet);
   return method == LineariseMethod::fleet ? fleet : tangent;
@@ -36,18 +36,19 @@ estimation::HealthVector some_wear() {
 TEST(NonlinearTruth, StaysWhereItIsInFlight) {
   // The engine that the truth takes for 30 s of flight is flown for 30 s.
   const design::Design& design = cruise_design(LineariseMethod::perturbation);
-  const engine::Turbofan turbofan(engine::jt9d());
-  engine::Operation worn{.flight = {10668.0, 0.8, 0.0}};
+  const engine_sim::Turbofan turbofan(engine_sim::jt9d());
+  engine_sim::Operation worn{.flight = {10668.0, 0.8, 0.0}};
   const estimation::HealthVector h = some_wear();
   for (std::size_t i = 0; i < worn.health.size(); ++i) worn.health[i] = h(static_cast<Eigen::Index>(i));
   const double n1_rpm = design.model.states[0].trim;
-  const engine::SteadyPoint start = engine::solve_steady(turbofan, worn, {engine::DemandKind::n1_rpm, n1_rpm});
-  engine::Transient flight(turbofan, start);
+  const engine_sim::SteadyPoint start =
+      engine_sim::solve_steady(turbofan, worn, {engine_sim::DemandKind::n1_rpm, n1_rpm});
+  engine_sim::Transient flight(turbofan, start);
   for (int k = 0; k < 2000; ++k) flight.step(start.operation, 0.015);
 
   const auto engine = nonlinear_truth(design, Hold::fan_speed).engine(h);
   ASSERT_TRUE(engine.has_value());
-  const engine::GasPath& gas = flight.output(start.operation);
+  const engine_sim::GasPath& gas = flight.output(start.operation);
   const double flown[]{gas.speeds.n1_rpm, gas.speeds.n2_rpm, gas.s24.pt_pa, gas.s24.tt_k,
                        gas.ps_30_pa,      gas.s30.tt_k,      gas.s48.tt_k};
   for (Eigen::Index i = 0; i < 7; ++i) {
@@ -150,4 +151,4 @@ TEST(NonlinearTruth, TangentMissesByWhatItsDesignSays) {
 }
 
 }  // namespace
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace ehm::bench {
+namespace ehm::tuner_design {
 namespace {
 
 double normal_distribution(double x) {
@@ -117,4 +117,4 @@ TEST(NormalDeviate, DoesNotRememberTheLastOne) {
 }
 
 }  // namespace
-}  // namespace ehm::bench
+}  // namespace ehm::tuner_design

@@ -1,0 +1,11 @@
+#pragma once
+// The command line of fit_maps: settings and map tables -> fitted maps as C++ source and header.
+// Exit codes: deploy/runtime/service/exit_code.h.
+
+#include <iosfwd>
+
+namespace ehm::tuner_design {
+
+int run_fit_maps(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
+
+}  // namespace ehm::tuner_design

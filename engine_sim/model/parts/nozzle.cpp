@@ -1,0 +1,22 @@
+#include "engine_sim/model/parts/nozzle.h"
+
+#include <cmath>
+
+namespace ehm::engine_sim {
+
+double sonic_temperature_k(double tt_k, double total_h_j_kg, double fuel_air_ratio) {
+  const double r = gas_constant_j_kgk(fuel_air_ratio);
+  const double total_cp = specific_heat_j_kgk(tt_k, fuel_air_ratio);
+  double t = 2.0 * tt_k / (total_cp / (total_cp - r) + 1.0);  // as if gamma were that of the total temperature
+  for (int i = 0; i < 20; ++i) {
+    const GasProperty h = enthalpy_property(t, fuel_air_ratio);
+    const double cp = h.by_temperature, gamma = cp / (cp - r);
+    // Newton on 2 (ht - h(T)) - gamma R T, gamma taken as constant: its slope is 1e-4 of the rest
+    const double step = (2.0 * (total_h_j_kg - h.value) - gamma * r * t) / (2.0 * cp + gamma * r);
+    t += step;
+    if (std::abs(step) < 1e-8 * t) break;  // the error left is 1e-12 or less
+  }
+  return t;
+}
+
+}  // namespace ehm::engine_sim

@@ -1,0 +1,61 @@
+#pragma once
+// The flow balance of the gas path solved again and again along a flight. At given spool speeds and operation:
+//   r(x) = 0,  x: the six unknowns of flow_unknowns.h,  r: the six flow balances of turbofan.h
+// Broyden's method continues from the last solution's inverse Jacobian H (6 x 6), one plain evaluation a step:
+//   dx = -H r,  y = r(x + dx) - r,  H <- H + (dx - H y) dx' H / (dx' H y)
+// Where it does not converge at once - and at first - Newton's method with exact derivatives (newton.h) starts again
+// from the guess and leaves a fresh H. The same sequence of calls gives the same numbers. Units: none (x, r).
+// Source: Dennis & Schnabel, Numerical Methods for Unconstrained Optimization and Nonlinear Equations, chapter 8.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "engine_sim/model/turbofan.h"
+
+namespace ehm::engine_sim {
+
+class FlowBalance {
+ public:
+  /// `engine` must live as long as this.
+  explicit FlowBalance(const Turbofan& engine) : engine_(engine) {}
+
+  /// Closes the balances from the guess `unknowns`, which it updates; `metal`: temperatures for the heat soak, or none.
+  /// Real-time safe: yes, unless it throws.
+  /// @throws as Turbofan::gas_path
+  GasPath solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
+                const MetalTemperatures* metal = nullptr);
+
+  /// Evaluations of the cycle by the last solve().
+  int plain_evaluations() const { return plain_evaluations_; }
+  int exact_evaluations() const { return exact_evaluations_; }
+
+ private:
+  using Vector = Eigen::Matrix<double, flow_unknown_count, 1>;
+  using Matrix = Eigen::Matrix<double, flow_unknown_count, flow_unknown_count>;
+  using Unknowns = std::array<double, flow_unknown_count>;
+  /// All that is held while the unknowns are sought.
+  struct Held {
+    const Operation& operation;
+    const SpoolSpeeds& speeds;
+    const MetalTemperatures* metal;
+  };
+
+  const Intake& intake_at(const FlightCondition& flight);
+  Vector evaluate(const Held& held, const Unknowns& x);
+  bool broyden(const Held& held, Unknowns& x);
+  void newton(const Held& held, Unknowns& x);
+
+  struct Flown {
+    FlightCondition flight;
+    Intake intake;
+  };
+
+  const Turbofan& engine_;
+  std::optional<Flown> flown_;              ///< the last flight condition and what the engine sees of it
+  std::optional<Matrix> inverse_jacobian_;  ///< none before the first solution
+  CycleInput<double> input_{};
+  Cycle<double> cycle_{};  ///< the last evaluation; at the solution when solve() reports it
+  int plain_evaluations_ = 0, exact_evaluations_ = 0;
+};
+
+}  // namespace ehm::engine_sim

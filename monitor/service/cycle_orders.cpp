@@ -1,0 +1,42 @@
+// The part of the cycle thread that obeys MonitorCommands, between two samples, and says what became of each.
+
+#include "idl/wire_values.h"
+#include "monitor/realtime/clock.h"
+#include "monitor/service/cycle_thread.h"
+
+namespace ehm::monitor {
+
+void CycleThread::obey(const MonitorCommand& command) {
+  OrderOutcome outcome{OrderOutcome::Kind::done, command.request(), command.kind()};
+  outcome.kind = carry_out(command, outcome);
+  if (command.request() == 0) return;
+  Report report{Report::Kind::reply, command.engine_id(), nullptr, {}, 0, 0, {}};
+  report.outcome = outcome;
+  reports_.push(report);
+}
+
+OrderOutcome::Kind CycleThread::carry_out(const MonitorCommand& command, OrderOutcome& outcome) {
+  if (command.schema() != idl::schema_version) return OrderOutcome::Kind::other_schema;
+  if (command.kind() != static_cast<std::uint32_t>(idl::MonitorCommandKind::reset))
+    return OrderOutcome::Kind::unknown_kind;
+  engines_->for_each([&](EngineSlot& slot) {
+    if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
+    ++outcome.engines;
+    outcome.refused += !reset(slot);
+  });
+  if (outcome.engines == 0) return OrderOutcome::Kind::not_served;
+  return outcome.refused == 0 ? OrderOutcome::Kind::done : OrderOutcome::Kind::too_soon;
+}
+
+bool CycleThread::reset(EngineSlot& slot) {
+  EventList changes;
+  const bool obeyed = slot.resets.ask(monotonic_ns(), changes);
+  for (const Event& event : changes) report_event(slot, event);
+  if (!obeyed) return false;
+  slot.cycle.reset();
+  if (records_) records_->marker(slot, recording::RowKind::reset);
+  report_events(slot);
+  return true;
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,17 @@
+#pragma once
+// The very cycle without DDS: rows of a recording or a CSV file in, a recording with estimates out.
+//
+// The same samples in the same order, with the same markers between them, give the same estimates to the bit as they
+// gave online. Where the input holds estimates of the same design, they are compared, and the result is printed.
+//
+// @throws files::FileError, config::ConfigError for what is wrong with the files or does not fit the design.
+
+#include "monitor/service/config.h"
+#include "monitor/service/engine_table.h"
+
+namespace ehm::monitor {
+
+/// Until the input's end, SIGINT or SIGTERM.
+void run_offline(const MonitorConfig& config, EngineTable& engines);
+
+}  // namespace ehm::monitor

@@ -1,0 +1,38 @@
+#include "engine_sim/model/solve/newton.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace ehm::engine_sim {
+namespace {
+
+using Pair = std::array<Dual<2>, 2>;
+const NewtonProblem<2> box{{"circle", "line"}, {-10.0, -10.0}, {10.0, 10.0}, {1.0, 1.0}};
+
+TEST(Newton, FindsTheIntersectionOfCircleAndLine) {
+  std::array<double, 2> x{5.0, 0.3};
+  const NewtonReport report = newton(box, x, [](const Pair& p) {
+    return Pair{p[0] * p[0] + p[1] * p[1] - 2.0, p[0] - p[1]};
+  });
+  EXPECT_NEAR(x[0], 1.0, 1e-10);
+  EXPECT_NEAR(x[1], 1.0, 1e-10);
+  EXPECT_LT(report.residual, 1e-11);
+}
+
+TEST(Newton, NamesTheResidualThatCannotClose) {
+  std::array<double, 2> x{1.0, 1.0};
+  try {
+    newton(box, x, [](const Pair& p) { return Pair{p[0] * p[0] + p[1] * p[1] + 1.0, p[0] - p[1]}; });
+    FAIL() << "no real solution exists";
+  } catch (const SolveError& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("'circle'"));
+  }
+}
+
+TEST(Newton, StopsAtAResidualThatIsNotFinite) {
+  std::array<double, 2> x{-1.0, 0.0};
+  EXPECT_THROW(newton(box, x, [](const Pair& p) { return Pair{sqrt(p[0]), p[1]}; }), SolveError);
+}
+
+}  // namespace
+}  // namespace ehm::engine_sim

@@ -1,0 +1,74 @@
+#include "tuner_design/cli/fault_study_command.h"
+
+#include "deploy/runtime/files/atomic_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "monitor/design/design_file.h"
+#include "tuner_design/print/false_alarm_report.h"
+#include "tuner_design/print/fault_study_report.h"
+
+namespace ehm::tuner_design {
+namespace {
+
+constexpr std::size_t progress_steps = 1000;
+
+/// `study` of the design, with a progress bar; a design that does not fit is a mistake in its file.
+template <class Study>
+auto studied(const FaultStudyArguments& arguments, const char* name, const std::string& csv,
+             const OutputOptions& output, const Console& console, const Study& study) {
+  if (arguments.design.empty()) {
+    throw CLI::ValidationError("--design",
+                               std::string("is missing; study ") + name + " needs the design that the monitor flies");
+  }
+  if (!csv.empty()) require_other_file("--csv", csv, {arguments.design});
+  const design::Design design = design::read_design(arguments.design);
+  long_work::ProgressBar bar = progress_bar(console, output, progress_steps);
+  try {
+    return study(
+        design, [&](double share) { bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps))); });
+  } catch (const std::invalid_argument& error) {
+    throw files::FileError(arguments.design + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments) {
+  command.add_option("--design", arguments.design, "faults, false-alarms: design file of the monitor under test")
+      ->type_name("D.json");
+  command.add_option("--cases", arguments.options.cases, "faults: flights in which something breaks, or nothing")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+      ->capture_default_str();
+  command.add_option("--hours", arguments.options.hours, "faults, false-alarms: simulated hours with nothing broken")
+      ->check(CLI::Range(0.0, 1e5))
+      ->capture_default_str();
+  command.add_flag("!--no-process-noise", arguments.process_noise,
+                   "false-alarms: the engine stays in balance; without it, it moves by the model's process noise");
+}
+
+void fault_study_of_file(const FaultStudyArguments& arguments, const std::string& csv, const OutputOptions& output,
+                         const Console& console) {
+  const FaultStudy study =
+      studied(arguments, "faults", csv, output, console, [&](const design::Design& design, const auto& progress) {
+        return run_fault_study(design, arguments.options, progress);
+      });
+  if (!csv.empty()) files::write_file_atomically(csv, fault_study_as_csv(study));
+  print_result(
+      console, output, [&] { return fault_study_as_json(study); },
+      [&](std::ostream& out) { print_fault_study(study, out); });
+}
+
+void false_alarm_study_of_file(const FaultStudyArguments& arguments, const std::string& csv,
+                               const OutputOptions& output, const Console& console) {
+  const FalseAlarmOptions options{arguments.options.hours, arguments.process_noise, arguments.options.seed,
+                                  arguments.options.threads};
+  const FalseAlarmStudy study =
+      studied(arguments, "false-alarms", csv, output, console, [&](const design::Design& design, const auto& progress) {
+        return run_false_alarm_study(design, options, progress);
+      });
+  if (!csv.empty()) files::write_file_atomically(csv, false_alarms_as_csv(study));
+  print_result(
+      console, output, [&] { return false_alarms_as_json(study); },
+      [&](std::ostream& out) { print_false_alarms(study, out); });
+}
+
+}  // namespace ehm::tuner_design

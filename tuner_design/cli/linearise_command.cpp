@@ -1,0 +1,144 @@
+#include "tuner_design/cli/linearise_command.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "engine_sim/engines/jt9d.h"
+#include "engine_sim/linear_model/model_file.h"
+#include "tuner_design/linearise/linearise.h"
+
+namespace ehm::tuner_design {
+namespace {
+
+struct Arguments {
+  std::string out;
+  engine_sim::FlightCondition flight{10668.0, 0.8, 0.0};
+  std::optional<double> n1_rpm, net_thrust_n, t40_k, fuel_flow_kg_s;
+  std::vector<std::string> health;
+  bool step_study = false, heat_soak = false;
+  SensorLags lags;
+  std::string method = "perturbation";
+  int fleet = LineariseOptions{}.fleet;
+  std::uint64_t seed = LineariseOptions{}.seed;
+  OutputOptions output;
+};
+
+engine_sim::Demand demand_of(const Arguments& arguments) {
+  if (arguments.n1_rpm) return {engine_sim::DemandKind::n1_rpm, *arguments.n1_rpm};
+  if (arguments.net_thrust_n) return {engine_sim::DemandKind::net_thrust_n, *arguments.net_thrust_n};
+  if (arguments.fuel_flow_kg_s) return {engine_sim::DemandKind::fuel_flow_kg_s, *arguments.fuel_flow_kg_s};
+  return {engine_sim::DemandKind::t40_k, arguments.t40_k.value_or(cruise_t40_k)};
+}
+
+/// Position of the health parameter in "name=value"; its value goes to `value`.
+/// @throws CLI::ValidationError if the text has another form or the name is unknown.
+std::size_t parse_health(const std::string& text, double& value) {
+  const auto equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  const auto& names = engine_sim::health_names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (equals == std::string::npos || found == names.end() ||
+      !CLI::detail::lexical_cast(text.substr(equals + 1), value)) {
+    std::string known;
+    for (const auto& known_name : names) known += (known.empty() ? "" : ", ") + std::string(known_name);
+    throw CLI::ValidationError("--health", "'" + text + "' is not name=fraction with a name of: " + known);
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+nlohmann::ordered_json as_json(const Linearisation& result, const Arguments& arguments) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const StepStudyRow& row : result.study.rows)
+    rows.push_back({{"relative_step", row.step}, {"largest_relative_change", row.change}});
+  return {{"name", result.model.name},
+          {"method", arguments.method},
+          {"file", arguments.out},
+          {"relative_step", result.study.step},
+          {"step_study", std::move(rows)}};
+}
+
+void print_linearisation(const Linearisation& result, const Arguments& arguments, std::ostream& out) {
+  if (arguments.step_study) {
+    out << "  relative step    largest relative change of a column to the next smaller step\n";
+    for (const StepStudyRow& row : result.study.rows) {
+      out << std::scientific << std::setprecision(3) << std::setw(15) << row.step << std::setw(14) << row.change
+          << (row.step == result.study.step ? "   chosen" : "") << '\n';
+    }
+    out << std::defaultfloat << std::setprecision(6);
+  }
+  out << result.model.name << ", " << arguments.method << ": linear model written to " << arguments.out << '\n';
+}
+
+void linearise_to_file(const Arguments& arguments, const Console& console) {
+  LineariseOptions options;
+  options.flight = arguments.flight;
+  options.demand = demand_of(arguments);
+  options.method = arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::perturbation;
+  options.fleet = arguments.fleet;
+  options.seed = arguments.seed;
+  options.heat_soak = arguments.heat_soak;
+  options.lags = arguments.lags;
+  for (const std::string& text : arguments.health) {
+    double value = 0.0;
+    const std::size_t index = parse_health(text, value);
+    options.health[index] = value;
+  }
+  const engine_sim::Turbofan turbofan(engine_sim::jt9d());
+  const Linearisation result = linearise(turbofan, options);
+  linear_model::write_model(result.model, arguments.out);
+  print_result(
+      console, arguments.output, [&] { return as_json(result, arguments); },
+      [&](std::ostream& out) { print_linearisation(result, arguments, out); });
+}
+
+}  // namespace
+
+void add_linearise_command(CLI::App& app, Action& run) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("linearise", "Linear model of the nonlinear engine at one operating point");
+  command->add_option("--out", arguments->out, "Linear model file to write")->required()->type_name("M.json");
+  command->add_option("--altitude-m", arguments->flight.altitude_m, "Pressure altitude, m")->capture_default_str();
+  command->add_option("--mach", arguments->flight.mach, "Flight Mach number")->capture_default_str();
+  command->add_option("--delta-isa-k", arguments->flight.delta_isa_k, "Temperature above standard, K")
+      ->capture_default_str();
+  CLI::Option_group* demand = command->add_option_group("demand", "At most one; default: --t40-k 1308.6 (cruise)");
+  demand->add_option("--n1-rpm", arguments->n1_rpm, "Fan speed, rpm");
+  demand->add_option("--net-thrust-n", arguments->net_thrust_n, "Net thrust, N");
+  demand->add_option("--t40-k", arguments->t40_k, "Burner exit temperature, K");
+  demand->add_option("--fuel-flow-kg-s", arguments->fuel_flow_kg_s, "Fuel flow, kg/s");
+  demand->require_option(0, 1);
+  command->add_option("--health", arguments->health, "Health at trim, name=fraction (hpc_efficiency=-0.02); repeatable")
+      ->type_name("NAME=VALUE")
+      ->check([](const std::string& text) {
+        double ignored = 0.0;
+        parse_health(text, ignored);
+        return std::string();
+      });
+  command
+      ->add_option("--method", arguments->method,
+                   "perturbation: tangent at the trim engine; fleet: best fit over engines with the fleet's spread")
+      ->check(CLI::IsMember({"perturbation", "fleet"}))
+      ->capture_default_str();
+  command->add_option("--fleet", arguments->fleet, "Engines of the fleet that measure the linearisation error, 0: none")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  add_seed_option(*command, arguments->seed, "Of that fleet");
+  command->add_flag("--heat-soak", arguments->heat_soak, "Metal temperatures behind HPC, HPT and LPT as states");
+  const auto lag = [&](const char* name, double& tau_s, const char* kind) {
+    command->add_option(name, tau_s, std::string("Time constant of the ") + kind + " sensors as states, s; 0: none")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+  };
+  lag("--lag-speed-s", arguments->lags.speed_s, "speed");
+  lag("--lag-pressure-s", arguments->lags.pressure_s, "pressure");
+  lag("--lag-temperature-s", arguments->lags.temperature_s, "temperature");
+  command->add_flag("--step-study", arguments->step_study, "Print how the derivatives depend on the step");
+  add_output_options(*command, arguments->output);
+  command->callback(
+      [arguments, &run] { run = [arguments](const Console& console) { linearise_to_file(*arguments, console); }; });
+}
+
+}  // namespace ehm::tuner_design

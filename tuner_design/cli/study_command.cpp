@@ -1,0 +1,126 @@
+#include "tuner_design/cli/study_command.h"
+
+#include <memory>
+#include <ostream>
+
+#include "deploy/runtime/files/atomic_file.h"
+#include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/long_work/parallel_for.h"
+#include "engine_sim/engines/jt9d.h"
+#include "tuner_design/cli/design_command.h"
+#include "tuner_design/cli/fault_study_command.h"
+#include "tuner_design/cli/import_options.h"
+#include "tuner_design/linearise/linearise.h"
+#include "tuner_design/print/check_report.h"
+#include "tuner_design/studies/half_worn.h"
+#include "tuner_design/studies/simon_garg_table.h"
+
+namespace ehm::tuner_design {
+namespace {
+
+constexpr std::size_t progress_steps = 1000;
+
+struct Arguments {
+  std::string study, model, csv, trim = "new";
+  ImportOptions import;
+  SimonGargOptions options;
+  FaultStudyArguments faults;
+  OutputOptions output;
+};
+
+/// The paper's operating point on our engine: cruise, tangent at the new engine, or as the paper has it at the average
+/// of a fleet that is half worn.
+linear_model::LinearModel cruise(bool half_worn) {
+  LineariseOptions options;
+  options.flight = {10668.0, 0.8, 0.0};
+  options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
+  options.fleet = 0;
+  if (half_worn) options.health = half_worn_health;
+  linear_model::LinearModel model = linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model;
+  model.name += half_worn ? ", linearised at a half-worn engine (3000 cycles), as the paper's is"
+                          : ", linearised at the new engine (the paper's: half worn)";
+  return model;
+}
+
+void run_study(Arguments arguments, const Console& console) {
+  arguments.faults.options.seed = arguments.options.seed;
+  arguments.faults.options.threads = arguments.options.threads;
+  const bool of_the_paper = arguments.study.starts_with("simon-garg");
+  if (!of_the_paper && arguments.trim != "new")
+    throw CLI::ValidationError(
+        "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
+  if (arguments.study == "faults")
+    return fault_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
+  if (arguments.study == "false-alarms")
+    return false_alarm_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
+  arguments.options.table = arguments.study.back() - '0';
+  const ImportedModel imported = arguments.model.empty() ? ImportedModel{cruise(arguments.trim == "half-worn"), "", {}}
+                                                         : import_model(arguments.model, arguments.import);
+  SimonGargStudy study;
+  try {
+    long_work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
+    study = run_simon_garg(imported.model, arguments.options, [&](double share) {
+      bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps)));
+    });
+  } catch (const std::invalid_argument& error) {
+    throw files::FileError((arguments.model.empty() ? "" : arguments.model + ": ") + error.what());
+  }
+  if (!arguments.csv.empty()) {
+    require_other_file("--csv", arguments.csv, {arguments.model});
+    files::write_file_atomically(arguments.csv, study_csv(study));
+  }
+  print_result(
+      console, arguments.output,
+      [&] {
+        nlohmann::ordered_json json = study_as_json(study);
+        json["assumed"] = imported.assumed;
+        return json;
+      },
+      [&](std::ostream& out) {
+        print_study(study, out);
+        print_assumed(imported.assumed, out);
+      });
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, Action& run) {
+  const auto arguments = std::make_shared<Arguments>();
+  SimonGargOptions& options = arguments->options;
+  options.threads = long_work::all_cores();
+  CLI::App* command = app.add_subcommand("study",
+                                         "Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, on our engine; "
+                                         "how well the monitor finds and names faults; or its false alarms");
+  command->add_option("study", arguments->study, "Which table, faults, or false-alarms")
+      ->required()
+      ->check(
+          CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms"}));
+  CLI::Option* model =
+      command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
+          ->type_name("MODEL");
+  command
+      ->add_option("--trim", arguments->trim,
+                   "simon-garg: where our engine is linearised, new, or half worn as in the paper; not with --model")
+      ->check(CLI::IsMember({"new", "half-worn"}))
+      ->capture_default_str()
+      ->excludes(model);
+  add_qh_option(*command, options.qh_percent2);
+  command->add_option("--engines", options.engines, "Engines of the MAP estimators")
+      ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
+      ->capture_default_str();
+  command->add_option("--runs", options.runs, "Runs of 30 s of the Kalman filter")
+      ->check(CLI::Range(std::size_t{10}, std::size_t{1'000'000}))
+      ->capture_default_str();
+  add_fault_study_options(*command, arguments->faults);
+  add_seed_option(*command, options.seed, "Of the random starts and of the experiments");
+  command->add_option("--csv,--out", arguments->csv, "Write the table (faults: a line a case) to this file too")
+      ->type_name("F.csv");
+  command->add_option("--threads", options.threads, "The result does not depend on it; default: one a core")
+      ->check(CLI::Range(1, 1024));
+  add_import_options(*command, arguments->import);
+  add_output_options(*command, arguments->output);
+  command->callback(
+      [arguments, &run] { run = [arguments](const Console& console) { run_study(*arguments, console); }; });
+}
+
+}  // namespace ehm::tuner_design

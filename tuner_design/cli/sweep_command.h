@@ -1,0 +1,11 @@
+#pragma once
+// `tuner_design sweep`: response time against accuracy of a design, for a range of Qh.
+
+#include "tuner_design/cli/command.h"
+
+namespace ehm::tuner_design {
+
+/// Adds the subcommand to `app`; `run` is set to its action when the user chose it.
+void add_sweep_command(CLI::App& app, Action& run);
+
+}  // namespace ehm::tuner_design

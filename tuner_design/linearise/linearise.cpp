@@ -1,0 +1,114 @@
+#include "tuner_design/linearise/linearise.h"
+
+#include <cctype>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "tuner_design/linearise/engine_channels.h"
+#include "tuner_design/linearise/fleet_fit.h"
+
+namespace ehm::tuner_design {
+namespace {
+
+using linear_model::LinearModel;
+
+void add_noise(LinearModel& model, const NoiseAssumptions& noise) {
+  model.health_sigma.setConstant(engine_health, noise.health_sigma);
+  model.sensor_noise_sigma.resize(engine_sensors);
+  for (Eigen::Index i = 0; i < engine_sensors; ++i) {
+    const linear_model::Channel& sensor = model.sensors[static_cast<std::size_t>(i)];
+    const double percent = sensor.unit == "rpm"  ? noise.speed_percent
+                           : sensor.unit == "Pa" ? noise.pressure_percent
+                                                 : noise.temperature_percent;
+    model.sensor_noise_sigma(i) = percent / 100.0 * sensor.trim;
+  }
+  // the metal follows the gas without noise of its own
+  Eigen::VectorXd sigma = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.states.size()));
+  sigma.head<2>() << model.states[0].trim, model.states[1].trim;
+  model.process_noise = (noise.process_noise_percent / 100.0 * sigma).cwiseAbs2().asDiagonal();
+}
+
+double lag_of(const SensorLags& lags, const std::string& unit) {
+  return unit == "rpm" ? lags.speed_s : unit == "Pa" ? lags.pressure_s : lags.temperature_s;
+}
+
+/// One more state for each lagging sensor: s' = (C x + D u + M h - s)/tau.
+void add_sensor_lags(LinearModel& model, const SensorLags& lags) {
+  for (Eigen::Index i = 0; i < engine_sensors; ++i) {
+    const linear_model::Channel& sensor = model.sensors[static_cast<std::size_t>(i)];
+    const double tau_s = lag_of(lags, sensor.unit);
+    if (tau_s == 0.0) continue;
+    const Eigen::Index n = model.A.rows();
+    const auto grow = [](Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {
+      m.conservativeResizeLike(Eigen::MatrixXd::Zero(m.rows() + rows, m.cols() + columns));
+    };
+    grow(model.A, 1, 1);
+    grow(model.B, 1, 0);
+    grow(model.L, 1, 0);
+    grow(model.C, 0, 1);
+    grow(model.F, 0, 1);
+    grow(model.process_noise, 1, 1);
+    model.A.row(n) = model.C.row(i) / tau_s;
+    model.A(n, n) = -1.0 / tau_s;
+    model.B.row(n) = model.D.row(i) / tau_s;
+    model.L.row(n) = model.M.row(i) / tau_s;
+    model.C.row(i).setZero();
+    model.C(i, n) = 1.0;
+    model.D.row(i).setZero();
+    model.M.row(i).setZero();
+    model.states.push_back({sensor.name + "_sensor", sensor.unit, sensor.trim});
+  }
+}
+
+/// The engine's name in small letters, without blanks: "JT9D" is jt9d, "high-bypass turbofan" high-bypass-turbofan.
+std::string type_of(const engine_sim::EngineData& engine) {
+  std::string type = engine.name;
+  for (char& c : type) c = c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return type;
+}
+
+/// Which engine, and where it runs: points of one envelope differ by it.
+std::string model_name(const engine_sim::EngineData& engine, const engine_sim::SteadyPoint& trim) {
+  const engine_sim::FlightCondition& flight = trim.operation.flight;
+  std::ostringstream name;
+  name << engine.name << (engine.name.ends_with("turbofan") ? ", " : "-class turbofan, ") << flight.altitude_m
+       << " m, Mach " << flight.mach << ", ISA " << std::showpos << flight.delta_isa_k << std::noshowpos << " K, T40 "
+       << std::round(trim.gas.s40.tt_k) << " K";
+  return name.str();
+}
+
+}  // namespace
+
+Linearisation linearise(const engine_sim::Turbofan& turbofan, const LineariseOptions& options) {
+  const engine_sim::SteadyPoint trim =
+      engine_sim::solve_steady(turbofan, options.flight, options.health, options.demand);
+  Linearisation result;
+  LinearModel& model = result.model;
+  model.name = model_name(turbofan.data(), trim);
+  model.engine_type = type_of(turbofan.data());
+  model.discrete = false;
+  model.sample_time_s = options.sample_time_s;
+  model.operating_point = {options.flight.altitude_m, options.flight.mach, options.flight.delta_isa_k};
+
+  const EngineLayout layout{options.heat_soak};
+  Fleet fleet;
+  if (options.fleet > 0)
+    fleet = steady_fleet(layout, turbofan, trim, options.noise.health_sigma, options.fleet, options.seed);
+  if (options.method == LineariseMethod::fleet) {
+    if (options.fleet == 0) throw std::invalid_argument("linearise: the method fleet needs a fleet (--fleet above 0)");
+    const FleetFit fit = fit_fleet(turbofan, trim, fleet);
+    name_channels(layout, model, fit.inputs, fit.outputs);
+    split_jacobian(layout, model, fit.jacobian);
+  } else {
+    result.study = study_steps(layout, turbofan, trim);
+    name_channels(layout, model, inputs_of(layout, trim), outputs_of(layout, trim.gas));
+    split_jacobian(layout, model, result.study.jacobian);
+  }
+  add_noise(model, options.noise);
+  if (options.fleet > 0) model.linearisation_error = linearisation_error(model, fleet);
+  add_sensor_lags(model, options.lags);  // in steady state they change nothing
+  return result;
+}
+
+}  // namespace ehm::tuner_design

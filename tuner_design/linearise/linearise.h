@@ -1,0 +1,60 @@
+#pragma once
+// Linear point model of the nonlinear turbofan at a steady operating point, continuous time, channels of
+// engine_channels.h: A in 1/s, B rpm/s per kg/s, L rpm/s per fraction, and so on. Two methods:
+//   perturbation   the tangent at the trim engine by central differences (step_study.h)
+//   fleet          the best fit over engines with the fleet's spread of health (fleet_fit.h)
+// States: N1, N2, with heat soak three metal temperatures (engine_channels.h), with sensor lags one state a lagging
+// sensor: s' = (y - s)/tau, and s takes the place of y as the sensor's output.
+// With a fleet, what either misses of the nonlinear engine is measured and becomes the model's linearisation_error.
+
+#include <cstdint>
+
+#include "engine_sim/linear_model/linear_model.h"
+#include "engine_sim/model/solve/steady.h"
+#include "engine_sim/model/turbofan.h"
+#include "tuner_design/linearise/step_study.h"
+
+namespace ehm::tuner_design {
+
+/// Noise and spread that go into the model ([SG] table 2 for the sensors).
+struct NoiseAssumptions {
+  double speed_percent = 0.25;
+  double pressure_percent = 0.5;
+  double temperature_percent = 0.75;
+  double health_sigma = 0.02;           ///< fraction
+  double process_noise_percent = 0.01;  ///< of the speeds' trim, per sample
+};
+
+/// Time constants of the sensors by kind; 0: no lag, no state.
+struct SensorLags {
+  double speed_s = 0.0, pressure_s = 0.0, temperature_s = 0.0;
+};
+
+enum class LineariseMethod { perturbation, fleet };
+
+/// T40 of power code 100 at 35 000 ft, Mach 0.8 (2355.4 degR, reference/jt9d_npss_cases.csv).
+inline constexpr double cruise_t40_k = 1308.6;
+
+struct LineariseOptions {
+  engine_sim::FlightCondition flight;
+  engine_sim::HealthVector health{};
+  engine_sim::Demand demand;
+  double sample_time_s = 0.015;
+  bool heat_soak = false;
+  SensorLags lags;
+  NoiseAssumptions noise;
+  LineariseMethod method = LineariseMethod::perturbation;
+  int fleet = 2000;        ///< engines of the fleet; 0: none, the linearisation error is not measured
+  std::uint64_t seed = 1;  ///< of that fleet
+};
+
+struct Linearisation {
+  linear_model::LinearModel model;  ///< continuous
+  StepStudy study;                  ///< empty for the method fleet
+};
+
+/// @throws what solve_steady throws if there is no steady point.
+/// @throws what study_steps, steady_fleet and fit_fleet throw.
+Linearisation linearise(const engine_sim::Turbofan& turbofan, const LineariseOptions& options);
+
+}  // namespace ehm::tuner_design

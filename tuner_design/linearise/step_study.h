@@ -1,0 +1,33 @@
+#pragma once
+// Tangent of the nonlinear engine at a steady point by central differences (Endurthi thesis ch. 4, perturbation
+// method):
+//   df/dv_j = ( f(v + s e_j) - f(v - s e_j) ) / 2 s
+// and forward to second order for the bleed valves where they are shut, (-3 f(v) + 4 f(v + s e_j) - f(v + 2 s e_j)) / 2
+// s. The step is relative to trim for speeds and fuel, absolute for health, one for all columns: the truncation error
+// falls with s^2, the round-off error of the flow balance grows with 1/s, and the study takes the s between whose
+// neighbours the scaled derivatives change least.
+
+#include <vector>
+
+#include "tuner_design/linearise/engine_channels.h"
+
+namespace ehm::tuner_design {
+
+/// One step of the study.
+struct StepStudyRow {
+  double step = 0.0;
+  double change = 0.0;  ///< largest relative change of a scaled column to the next smaller step
+};
+
+struct StepStudy {
+  Eigen::MatrixXd jacobian;  ///< df/dv at the chosen step
+  double step = 0.0;
+  std::vector<StepStudyRow> rows;
+};
+
+/// Steps from 1e-2 down by half decades.
+/// @throws std::runtime_error if no step gives derivatives that agree to 1e-3 with its neighbour's.
+StepStudy study_steps(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
+                      const engine_sim::SteadyPoint& trim);
+
+}  // namespace ehm::tuner_design

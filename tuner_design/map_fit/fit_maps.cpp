@@ -1,9 +1,0 @@
-// fit_maps SETTINGS.json MAPS.json OUT_FOLDER: tables of an engine's maps -> smooth maps as C++ for its engine file.
-
-#include <iostream>
-
-#include "tuner_design/map_fit/fit_maps_command.h"
-
-int main(int argc, char** argv) {
-  return ehm::bench::run_fit_maps(argc, argv, std::cout, std::cerr);
-}

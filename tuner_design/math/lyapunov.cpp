@@ -1,0 +1,45 @@
+#include "tuner_design/math/lyapunov.h"
+
+#include <Eigen/Eigenvalues>
+#include <sstream>
+#include <stdexcept>
+
+#include "tuner_design/math/doubling.h"
+#include "tuner_design/math/solver_error.h"
+
+namespace ehm::tuner_design {
+namespace {
+
+constexpr double allowed_residual = 1e-9;
+
+}  // namespace
+
+double spectral_radius(const Eigen::MatrixXd& A) {
+  return Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+Eigen::MatrixXd solve_discrete_lyapunov(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q) {
+  if (A.rows() != A.cols() || Q.rows() != A.rows() || Q.cols() != A.rows()) {
+    throw std::invalid_argument("Lyapunov equation: A and Q must be square and of one size");
+  }
+  const double radius = spectral_radius(A);
+  if (!(radius < 1.0)) {
+    std::ostringstream message;
+    message << "Lyapunov equation: A has the spectral radius " << radius << ", allowed below 1";
+    throw SolverError(message.str());
+  }
+  const doubling::Powers<Eigen::MatrixXd> powers(A);
+  Eigen::MatrixXd X = 0.5 * (Q + Q.transpose());
+  powers.solve(X);
+  const double size = X.norm();
+  const double residual = (A * X * A.transpose() + Q - X).norm();
+  if (!powers.converged() || !(residual <= allowed_residual * size)) {
+    std::ostringstream message;
+    message << "Lyapunov equation: residual " << residual << " of " << size << ", allowed " << allowed_residual
+            << " relative; spectral radius " << radius;
+    throw SolverError(message.str());
+  }
+  return X;
+}
+
+}  // namespace ehm::tuner_design
