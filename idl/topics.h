@@ -1,5 +1,5 @@
 #pragma once
-// Which type travels on which topic, and how: the table of the table of topics in the README (or architecture.md, "Fixed contracts") as code.
+// Which type travels on which topic, and how: the table of topics in the README, as code.
 
 #include "engine_healthPubSubTypes.h"
 

@@ -30,14 +30,13 @@ stage() {
   stages+=("$(printf '%-12s %-8s %6d s' "$name" "$outcome" $((SECONDS - began)))")
 }
 
-# sanitized NAME SANITIZERS TARGETS CTEST_ARGUMENT...: builds with the sanitizers and runs the chosen tests. A report of a
+# sanitized PRESET TARGETS CTEST_ARGUMENT...: builds with the sanitizers and runs the chosen tests. A report of a
 # sanitizer fails the stage even where a second try of the test passes.
 sanitized() {
-  local name=$1 sanitizers=$2 targets=$3 reports=$build-$1/reports broken=0
-  shift 3
+  local name=$1 targets=$2 reports=$build-$1/reports broken=0
+  shift 2
   # shellcheck disable=SC2086  # several targets on purpose
-  EHM_CMAKE_ARGS="-DEHM_SANITIZE=$sanitizers -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1" \
-    deploy/build.sh "$build-$name" $targets || return 1
+  EHM_PRESET=$name deploy/build.sh "$build-$name" $targets || return 1
   rm -rf "$reports" && mkdir -p "$reports" && reports=$(realpath "$reports")/report
   export ASAN_OPTIONS="$ASAN_OPTIONS:log_path=$reports" TSAN_OPTIONS="$TSAN_OPTIONS log_path=$reports"
   export UBSAN_OPTIONS="print_stacktrace=1:log_path=$reports"
@@ -55,7 +54,7 @@ if [ "$full" = yes ]; then
   export EHM_CONTROL_SEQUENCES=1000 EHM_BUILD_DIR=$build
 fi
 
-EHM_CMAKE_ARGS=-DEHM_WERROR=ON deploy/build.sh "$build"
+EHM_PRESET=release deploy/build.sh "$build"
 
 # run_tests NAME CTEST_ARGUMENT...: ctest shows its output and failures; what it counted is added up for the closing line.
 passed=0 failed=0
@@ -82,9 +81,9 @@ if [ "$full" = yes ]; then
   stage hostile tests/hostile.sh "$build"
   stage packages tests/packages/packages.sh "$build"
   stage demo deploy/demo.sh --seconds 30
-  stage tsan sanitized tsan thread "integration_test monitor_service_test engine_sim monitor ehm_watch tuner_design" \
+  stage tsan sanitized tsan "integration_test monitor_service_test engine_sim monitor ehm_watch tuner_design" \
     -R 'SpscQueue|FlightTest|BadSamplesTest|ReloadTest|CheckpointTest'
-  stage asan-ubsan sanitized asan-ubsan address,undefined all -E '^Allocation'
+  stage asan sanitized asan all -E '^Allocation'
   stage fuzz tests/fuzz/fuzz.sh --jobs 2 --seconds "${EHM_FUZZ_SECONDS:-120}"
   printf '%s\n' "${stages[@]}"
 fi

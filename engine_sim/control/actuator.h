@@ -5,12 +5,9 @@
 
 #include <cmath>
 
-namespace ehm::engine_sim {
+#include "engine_sim/engines/control_data.h"
 
-struct ActuatorData {
-  double lag_s;
-  double rising_per_s, falling_per_s;  ///< largest rates, both positive
-};
+namespace ehm::engine_sim {
 
 class Actuator {
  public:

@@ -2,10 +2,15 @@
 // Everything that the control of one engine needs to know of it. Corrected speeds are N/sqrt(theta2) in rpm, ratio
 // units are those of measurements.h. Errors: none. Source of a particular engine's numbers: its file, jt9d_control.cpp.
 
-#include "engine_sim/control/actuator.h"
 #include "engine_sim/engines/schedule.h"
 
 namespace ehm::engine_sim {
+
+/// A position servo (control/actuator.h).
+struct ActuatorData {
+  double lag_s;
+  double rising_per_s, falling_per_s;  ///< largest rates, both positive
+};
 
 /// What the engine may not exceed, whatever is demanded.
 struct EngineLimits {

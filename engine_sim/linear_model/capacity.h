@@ -10,7 +10,7 @@ inline constexpr int max_sensors = 16;
 inline constexpr int max_health = 16;
 inline constexpr int max_auxiliary = 8;
 inline constexpr int max_actuators = 8;
-inline constexpr int max_states = 12;
+inline constexpr int max_states = 16;
 inline constexpr std::size_t max_name_length = 63, max_unit_length = 31;  ///< characters of a channel's name and unit
 
 }  // namespace ehm::linear_model

@@ -23,6 +23,13 @@ struct Channel {
   double trim = 0.0;  ///< value at the point of linearisation, in `unit`
 };
 
+/// Their trims, in their units.
+inline Eigen::VectorXd trims(const std::vector<Channel>& channels) {
+  Eigen::VectorXd trims(static_cast<Eigen::Index>(channels.size()));
+  for (std::size_t i = 0; i < channels.size(); ++i) trims(static_cast<Eigen::Index>(i)) = channels[i].trim;
+  return trims;
+}
+
 /// Where the model holds.
 struct OperatingPoint {
   double altitude_m = 0.0;

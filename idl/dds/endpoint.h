@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "idl/dds/guarded_type.h"
@@ -14,28 +15,36 @@
 
 namespace ehm::idl {
 
-/// The topic of T, whose remote endpoints of this side are watched from now on.
+/// The topic that carries what the topic of T does, of one estimator among several.
 template <class T>
-eprosima::fastdds::dds::Topic* topic_of(Participant& participant, UnreadablePeers::Side remote) {
+std::string topic_name(const std::string& estimator) {
+  return estimator.empty() ? Topic<T>::name : Topic<T>::name + ("/" + estimator);
+}
+
+/// A topic of T, whose remote endpoints of this side are watched from now on.
+template <class T>
+eprosima::fastdds::dds::Topic* topic_of(Participant& participant, const std::string& name,
+                                        UnreadablePeers::Side remote) {
   UnreadablePeers& peers = participant.unreadable();
-  const eprosima::fastdds::dds::TypeSupport type(
-      new GuardedType<typename Topic<T>::PubSubType>(peers.intake(Topic<T>::name)));
-  auto* topic = participant.topic(Topic<T>::name, type);
-  peers.expect(remote, Topic<T>::name, type.get_type_name(), type->m_isGetKeyDefined, type->m_typeSize);
+  const eprosima::fastdds::dds::TypeSupport type(new GuardedType<typename Topic<T>::PubSubType>(peers.intake(name)));
+  auto* topic = participant.topic(name.c_str(), type);
+  peers.expect(remote, name, type.get_type_name(), type->m_isGetKeyDefined, type->m_typeSize);
   return topic;
 }
 
 template <class T>
 class Writer : private eprosima::fastdds::dds::DataWriterListener {
  public:
-  /// `stronger_by`: ownership strength beyond the participant's.
-  explicit Writer(Participant& participant, std::uint32_t stronger_by = 0) : participant_(participant) {
-    auto* topic = topic_of<T>(participant, UnreadablePeers::Side::reader);
+  /// `stronger_by`: ownership strength beyond the participant's. `estimator`: whose estimates, under their own topic;
+  /// empty for the published ones, and for every other topic.
+  explicit Writer(Participant& participant, std::uint32_t stronger_by = 0, const std::string& estimator = "")
+      : participant_(participant), name_(topic_name<T>(estimator)) {
+    auto* topic = topic_of<T>(participant, name_, UnreadablePeers::Side::reader);
     Redundancy redundancy = participant.options().redundancy;
     redundancy.strength += stronger_by;
     writer_ = participant.publisher()->create_datawriter(
         topic, writer_qos(Topic<T>::delivery, Topic<T>::estimate, redundancy), this);
-    if (!writer_) throw participant.refused("writer", Topic<T>::name);
+    if (!writer_) throw participant.refused("writer", name_.c_str());
   }
   ~Writer() override {
     writer_->set_listener(nullptr);
@@ -63,10 +72,11 @@ class Writer : private eprosima::fastdds::dds::DataWriterListener {
   }
   void on_offered_incompatible_qos(eprosima::fastdds::dds::DataWriter*,
                                    const eprosima::fastdds::dds::OfferedIncompatibleQosStatus& status) override {
-    participant_.report_incompatible(Topic<T>::name, "reader", status.last_policy_id);
+    participant_.report_incompatible(name_, "reader", status.last_policy_id);
   }
 
   Participant& participant_;
+  std::string name_;  ///< of the topic
   eprosima::fastdds::dds::DataWriter* writer_ = nullptr;
   std::atomic<int> matched_{0};
 };
@@ -74,9 +84,10 @@ class Writer : private eprosima::fastdds::dds::DataWriterListener {
 template <class T>
 class Reader : private eprosima::fastdds::dds::DataReaderListener {
  public:
-  explicit Reader(Participant& participant)
-      : participant_(participant), intake_(participant.unreadable().intake(Topic<T>::name)) {
-    auto* topic = topic_of<T>(participant, UnreadablePeers::Side::writer);
+  /// `estimator` as for a Writer.
+  explicit Reader(Participant& participant, const std::string& estimator = "")
+      : participant_(participant), name_(topic_name<T>(estimator)), intake_(participant.unreadable().intake(name_)) {
+    auto* topic = topic_of<T>(participant, name_, UnreadablePeers::Side::writer);
     // Data wakes the WaitSet, not the listener: the listener only hears of matching.
     auto mask = eprosima::fastdds::dds::StatusMask::none();
     mask << eprosima::fastdds::dds::StatusMask::subscription_matched()
@@ -89,7 +100,7 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
       qos.history().depth = input_depth;
     }
     reader_ = participant.subscriber()->create_datareader(topic, qos, this, mask);
-    if (!reader_) throw participant.refused("reader", Topic<T>::name);
+    if (!reader_) throw participant.refused("reader", name_.c_str());
     reader_->get_statuscondition().set_enabled_statuses(eprosima::fastdds::dds::StatusMask::data_available());
   }
   ~Reader() override {
@@ -144,7 +155,7 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   }
   void on_requested_incompatible_qos(eprosima::fastdds::dds::DataReader*,
                                      const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override {
-    participant_.report_incompatible(Topic<T>::name, "writer", status.last_policy_id);
+    participant_.report_incompatible(name_, "writer", status.last_policy_id);
   }
   void on_requested_deadline_missed(eprosima::fastdds::dds::DataReader*,
                                     const eprosima::fastdds::dds::RequestedDeadlineMissedStatus& status) override {
@@ -158,6 +169,7 @@ class Reader : private eprosima::fastdds::dds::DataReaderListener {
   }
 
   Participant& participant_;
+  std::string name_;  ///< of the topic
   std::shared_ptr<Intake> intake_;
   eprosima::fastdds::dds::DataReader* reader_ = nullptr;
   eprosima::fastdds::dds::SampleInfo info_;

@@ -30,6 +30,11 @@ namespace ehm::monitor {
 
 enum class SampleVerdict { first, accepted, restarted, duplicate, reordered, malformed, foreign };
 
+/// Does a sample of that verdict go on to be estimated from?
+constexpr bool in_order(SampleVerdict verdict) noexcept {
+  return verdict == SampleVerdict::first || verdict == SampleVerdict::accepted || verdict == SampleVerdict::restarted;
+}
+
 /// Why the filter starts anew; with what `jump_s` is.
 enum class RestartReason : std::uint32_t {
   command = 0,           ///< an operator's

@@ -1,84 +1,52 @@
 #pragma once
-// THE data path of one engine: check -> predict -> update, then judge. One sample in, one result out.
+// THE data path of one engine: one sample in, one result out.
+//
+//   intake -> supervision (each value by itself) -> valid here? -> accommodation (which design) -> predict -> gate and
+//   qualify -> update -> does such an engine exist? -> CycleResult;     then detection: what it means -> Verdict, which
+//   accommodation takes before the next sample
 //
 // The two parts may be called one by one, so that an estimate is on its way before it is judged: a fault that judging
-// finds changes the estimates from the next sample on.
+// finds changes the estimates from the next sample on. Each station is a file of its own; this one only leads from one
+// to the next. The watch filter is the tuner filter, whichever estimator is published.
 //
 // Knows no DDS, clock, file, thread or log. Deterministic: the same samples give the same results to the bit.
-// Equations: the filter in estimation/tuner_filter.h, its error in estimation/error_propagation.h, the decisions in
-// checks/ and judge/.
 
 #include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "monitor/checks/condition_check.h"
-#include "monitor/checks/innovation_gate.h"
-#include "monitor/checks/qualification.h"
-#include "monitor/checks/return_gate.h"
-#include "monitor/checks/sample_check.h"
-#include "monitor/checks/sample_time_watch.h"
-#include "monitor/checks/second_source_watch.h"
-#include "monitor/checks/sensor_check.h"
-#include "monitor/checks/sequence_watch.h"
-#include "monitor/checks/stamp_watch.h"
 #include "monitor/checks/validity.h"
+#include "monitor/cycle/accommodation.h"
+#include "monitor/cycle/companion_estimators.h"
+#include "monitor/cycle/cycle_result.h"
 #include "monitor/cycle/cycle_state.h"
+#include "monitor/cycle/fault_detection.h"
 #include "monitor/cycle/prepared_design.h"
-#include "monitor/data/events.h"
+#include "monitor/cycle/sample_intake.h"
+#include "monitor/cycle/sensor_supervision.h"
 #include "monitor/data/options.h"
-#include "monitor/data/sample.h"
-#include "monitor/design/design.h"
-#include "monitor/estimation/error_propagation.h"
-#include "monitor/estimation/tuner_filter.h"
-#include "monitor/judge/fault_detector.h"
+#include "monitor/estimation/tuner_estimator.h"
 #include "monitor/judge/fleet_watch.h"
 #include "monitor/judge/limit_watch.h"
-#include "monitor/judge/shift_detector.h"
-#include "monitor/judge/slow_bias.h"
-#include "monitor/judge/ungated_filter.h"
 
 namespace ehm::monitor {
 
-/// What the cycle has counted since it was made.
-struct CycleCounters {
-  std::uint64_t received = 0;   ///< every sample that came
-  std::uint64_t processed = 0;  ///< led to estimates
-  std::uint64_t lost = 0;       ///< gaps of the sequence
-  std::uint64_t duplicated = 0, reordered = 0, malformed = 0;
-  std::uint64_t foreign = 0;  ///< from a second source of the same engine
-  /// Accepted, but no honest estimate: off design, no design for the sensors left, too far from the fleet.
-  std::uint64_t withheld = 0;
-  std::uint64_t sensor_rejections = 0;  ///< values that were not fused; words of flight and actuators replaced
-  std::uint64_t restarts = 0;
-};
-
-/// Result of one sample that was in order. Estimates are the filter's, in channel units.
-struct CycleResult {
-  bool estimates = false;   ///< estimates hold; where not, the reasons say why
-  std::uint32_t flags = 0;  ///< idl::estimate_flag
-  estimation::SensorMask sensors_used, rejected, fused;
-  std::array<std::uint32_t, estimation::max_sensors> reason{};  ///< idl::reject_reason bits by sensor
-  /// Sensor units, their squares, and the test ratio of the gate; all 0 where no filter ran.
-  estimation::SensorVector innovation, innovation_variance, ratio;
-};
-
 class MonitorCycle {
  public:
-  /// Shares the prepared design with all engines of its type.
+  /// Shares the prepared design, made with the same estimator options, with all engines of its type.
   /// @throws std::invalid_argument if an option does not fit the design (names it).
   MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options);
   /// For one engine of its type.
   MonitorCycle(std::shared_ptr<const design::Design> design, const CycleOptions& options)
-      : MonitorCycle(PreparedDesign(std::move(design)), options) {}
+      : MonitorCycle(PreparedDesign(std::move(design), options), options) {}
 
   /// The whole path for one sample. False when it was dropped (duplicate, overtaken, malformed, foreign): the last
   /// result stands. Real-time safe: yes.
   bool process(const Sample& sample) noexcept {
-    const bool in_order = estimate(sample);
-    if (in_order) judge();
-    return in_order;
+    const bool taken = estimate(sample);
+    if (taken) judge();
+    return taken;
   }
   /// Its first part: the estimates, their flags, and everything of the result but the reasons that judging adds.
   bool estimate(const Sample& sample) noexcept;
@@ -102,108 +70,57 @@ class MonitorCycle {
   /// process. Refused, nothing is changed. Real-time safe: yes.
   Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
 
-  const estimation::TunerFilter& filter() const noexcept { return filter_; }
-  const estimation::ErrorPropagation& error() const noexcept { return error_; }
+  /// Of the latest sample that was in order.
+  const CycleResult& result() const noexcept { return result_; }
   const design::Design& design() const noexcept { return *design_; }
-  const FaultDetector& faults() const noexcept { return faults_; }
+  const CycleOptions& options() const noexcept { return options_; }
+  /// Estimators in result().shadow.
+  int shadows() const noexcept { return static_cast<int>(shadows_.size()); }
+  const estimation::TunerEstimator& watch() const noexcept { return watch_; }
+  const SampleIntake& intake() const noexcept { return intake_; }
+  const FaultDetection& detection() const noexcept { return detection_; }
   const CycleCounters& counters() const noexcept { return counters_; }
   /// Goes on counting for a predecessor.
   void adopt(const CycleCounters& counters) noexcept { counters_ = counters; }
-  const CycleOptions& options() const noexcept { return options_; }
-  /// Of the latest sample that was in order.
-  const CycleResult& result() const noexcept { return result_; }
-  /// The source that is followed.
-  std::uint32_t source_id() const noexcept { return sample_check_.source_id(); }
-  /// Would a sample of this source and writer be dropped, since another one is followed?
-  bool foreign(std::uint32_t source_id, std::uint64_t writer) const noexcept {
-    return sample_check_.foreign(source_id, writer);
-  }
-  bool stale() const noexcept { return input_lost_.raised(); }
-  /// Samples arrive, but their sequence number does not grow: none is in order.
-  bool sequence_stands() const noexcept { return sequence_watch_.standing(); }
-  /// The source's sequence numbers or stamps have a fault that an event tells.
-  bool order_troubled() const noexcept { return sequence_watch_.raised() || stamp_watch_.raised(); }
-  /// What may be wrong with the estimates, and an event tells: a drift, or a fault that nobody can name.
-  bool doubted() const noexcept { return slow_bias_.raised() || ambiguous_.raised(); }
+  bool stale() const noexcept { return intake_.stale(); }
   /// Events since the last clear_events.
   const EventList& events() const noexcept { return events_; }
   void clear_events() noexcept { events_.clear(); }
 
  private:
-  bool admit(const Sample& sample, SampleDecision& decision) noexcept;
   void restart(RestartReason reason, double jump_s) noexcept;
   void restart_filter() noexcept;
-  void forget_sensors() noexcept;
-  void await_return(int sensor) noexcept;
-  int excluded_sensors(int& last) const noexcept;
-  void check_sensors(const Sample& sample, int steps) noexcept;
-  void watch_holds() noexcept;
-  bool slow_start() const noexcept { return slowness_ > 1 && !error_.settled(); }
-  void no_residuals() noexcept;
+  estimation::Conditions conditions_of(const Sample& sample) const noexcept;
+  bool choose_design() noexcept;
+  void fuse(bool has_design) noexcept;
+  void conclude(bool has_design) noexcept;
   void withhold() noexcept;
-  void predict() noexcept;
-  void gate() noexcept;
-  std::pair<double, double> evidence(int sensor, std::uint32_t why) const noexcept;
-  void qualify() noexcept;
-  void update() noexcept;
-  void conclude() noexcept;
-  void detect() noexcept;
-  void declare(const FaultVerdict& verdict) noexcept;
-  void declare_sensor(const FaultVerdict& verdict) noexcept;
-  void settle_ambiguity(bool decided) noexcept;
-  void choose_design() noexcept;
-  void exclude(int sensor) noexcept;
-  void readmit() noexcept;
-  void take_out_fault() noexcept;
-  void follow_return() noexcept;
-  void listen_anew() noexcept;
+  void no_residuals() noexcept;
   std::uint32_t estimate_flags() const noexcept;
-  /// `missing`: samples before `next` that never came.
-  void fly_blind_to(const Sample& next, std::uint64_t missing) noexcept;
+  const estimation::Estimate& estimate_of(int estimator) const noexcept {
+    return estimator == watch_filter ? watch_.estimate() : companions_.estimate(static_cast<std::size_t>(estimator));
+  }
 
   std::shared_ptr<const design::Design> design_;
   CycleOptions options_;
   int sensors_, actuators_;
-  std::shared_ptr<const std::vector<estimation::ErrorModel>> error_models_;  ///< [0] full set, [1 + i] without sensor i
-  estimation::TunerFilter filter_;
-  estimation::ErrorPropagation error_;
+  estimation::TunerEstimator watch_;
+  CompanionEstimators companions_;
+  int published_;             ///< whose estimate is published: a companion, or watch_filter
+  std::vector<int> shadows_;  ///< the same of the shadows
 
-  SampleCheck sample_check_;
-  SampleTimeWatch sample_time_;
-  StampWatch stamp_watch_;
-  SequenceWatch sequence_watch_;
-  ConditionCheck condition_check_;
-  SensorCheck sensor_check_;
-  std::vector<Qualification> qualification_;
-  std::vector<std::int64_t> gated_;  ///< values in a row that only the innovation gate held back, by sensor
-  ReturnGate return_gate_;
-  int gated_sensor_ = -1;     ///< whose return the gate judges
-  bool cold_return_ = false;  ///< without it the filter has started cold: nothing to judge by until it has settled
+  SampleIntake intake_;
+  SensorSupervision supervision_;
   Validity validity_;
-  UngatedFilter ungated_;
-  FaultDetector faults_;
-  FaultVerdict declared_;   ///< of this sample; taken out of the estimate at the next one
-  bool came_back_ = false;  ///< what was declared is the end of a drift
-  ShiftDetector shift_;
-  SlowBias slow_bias_;
+  Accommodation accommodation_;
   FleetWatch fleet_;
+  FaultDetection detection_;
   LimitWatch limits_;
 
-  estimation::SensorVector dy_, sensor_trim_;  ///< deviations from trim, NaN where there is no value
-  estimation::ActuatorVector du_, du_previous_, actuator_trim_;
-  int steps_ = 1;                                 ///< sample times from the sample before to this one
-  bool valid_ = true;                             ///< the design's point is near enough
-  bool have_design_ = true;                       ///< for the sensors that are left
-  Sample mended_;                                 ///< the latest sample, bad words of flight and actuators replaced
-  bool usable_ = true;                            ///< there was something to replace them by
-  std::int64_t slowness_ = 1, slow_samples_ = 0;  ///< longest hold that the design does not know; samples of it so far
-  std::vector<Condition> sensor_fault_, slow_sensor_;
-  Condition no_design_, input_lost_, ambiguous_;
-  std::uint32_t dropped_ = 0;  ///< verdicts on what came since the last sample in order; bit i: SampleVerdict i
-  SecondSourceWatch second_source_;
-  std::uint32_t ambiguous_channel_ = 0;
-  std::int64_t unambiguous_samples_ = 0;
-  estimation::AugmentedVector shift_by_;
+  estimation::Conditions before_, now_;  ///< at the sample before, and at this one
+  int steps_ = 1;                        ///< sample times between the two
+  bool valid_ = true;                    ///< the model holds here
+  Verdict verdict_;                      ///< on this sample, for the next one
   EventList events_;
   CycleCounters counters_;
   CycleResult result_;

@@ -1,28 +1,23 @@
 #include "monitor/cycle/prepared_design.h"
 
-#include "monitor/design/make_error_model.h"
-#include "monitor/design/make_filter.h"
-
 namespace ehm::monitor {
 
-namespace {
-
-std::vector<estimation::ErrorModel> make_error_models(const design::Design& design) {
-  std::vector<estimation::ErrorModel> models{design::make_error_model(design, design.full)};
-  for (const auto& subset : design.missing)
-    models.push_back(subset ? design::make_error_model(design, *subset) : estimation::ErrorModel{});
-  return models;
-}
-
-}  // namespace
-
-PreparedDesign::PreparedDesign(std::shared_ptr<const design::Design> of)
+PreparedDesign::PreparedDesign(std::shared_ptr<const design::Design> of, const CycleOptions& options)
     : design(std::move(of)),
-      filter(design::make_filter(*design)),
-      error_models(std::make_shared<const std::vector<estimation::ErrorModel>>(make_error_models(*design))),
+      estimator(options.estimator),
+      validity(options.validity),
+      tuner(design::make_tuner_model(*design)),
       faults(fault_tables(*design)),
       shift(shift_tables(*design)),
       slow_bias(slow_bias_table(*design)),
-      fleet(fleet_tables(*design, *error_models)) {}
+      fleet(fleet_tables(*design, *tuner.errors)) {
+  const auto companion = [&](const std::string& name) {
+    if (name == design::tuner_name) return watch_filter;
+    companions.push_back(design::make_estimator(name, *design, estimator, validity));
+    return static_cast<int>(companions.size()) - 1;
+  };
+  published = companion(estimator.published);
+  for (const std::string& name : design::shadow_names(estimator)) shadows.push_back(companion(name));
+}
 
 }  // namespace ehm::monitor

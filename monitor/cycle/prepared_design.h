@@ -1,14 +1,16 @@
 #pragma once
 // A design made ready to fly: what is constant in the cycles of all engines of one design, computed once and shared.
 //
-// @throws std::invalid_argument if the design's matrices do not fit together, or its tuners' noise is not definite.
+// @throws std::invalid_argument if the design's matrices do not fit together, its tuners' noise is not definite, or an
+// estimator of the options is not known, is asked for twice, or cannot be made of this design.
 
 #include <memory>
 #include <vector>
 
+#include "monitor/data/options.h"
 #include "monitor/design/design.h"
-#include "monitor/estimation/error_propagation.h"
-#include "monitor/estimation/tuner_filter.h"
+#include "monitor/design/make_estimator.h"
+#include "monitor/estimation/tuner_estimator.h"
 #include "monitor/judge/fault_signatures.h"
 #include "monitor/judge/fleet_watch.h"
 #include "monitor/judge/shift_detector.h"
@@ -16,12 +18,23 @@
 
 namespace ehm::monitor {
 
+inline constexpr int watch_filter = -1;  ///< the tuner filter itself, in the place of an index of a companion
+
 struct PreparedDesign {
-  explicit PreparedDesign(std::shared_ptr<const design::Design> design);
+  explicit PreparedDesign(std::shared_ptr<const design::Design> design, const CycleOptions& options = {});
+  /// It serves cycles with these options too.
+  bool serves(const CycleOptions& options) const noexcept {
+    return options.estimator == estimator && options.validity == validity;
+  }
 
   std::shared_ptr<const design::Design> design;
-  estimation::TunerFilter filter;  ///< has seen nothing yet; copies share their matrices
-  std::shared_ptr<const std::vector<estimation::ErrorModel>> error_models;  ///< [0] full set, [1 + i] without sensor i
+  EstimatorOptions estimator;
+  ValidityOptions validity;
+  estimation::TunerEstimatorModel tuner;
+  /// Those that fly beside the tuner filter; each has seen nothing yet.
+  std::vector<std::shared_ptr<const estimation::Estimator>> companions;
+  int published = watch_filter;  ///< index into companions, or watch_filter
+  std::vector<int> shadows;      ///< the same, in the order of the options
   std::shared_ptr<const FaultTables> faults;
   std::shared_ptr<const ShiftTables> shift;
   std::shared_ptr<const SlowBiasTable> slow_bias;

@@ -71,7 +71,16 @@ struct LimitOptions {
   friend bool operator==(const LimitOptions&, const LimitOptions&) = default;
 };
 
+/// Which estimators fly (design/make_estimator.h has the table of their names).
+struct EstimatorOptions {
+  std::string published = "tuner";  ///< whose estimates go out as EngineHealth and EngineAuxiliary
+  std::string shadow;               ///< whose go out under their own names beside them, with commas between
+  double memory_s = 3600.0;         ///< of gauss_markov: in which it forgets what no sensor sees
+  friend bool operator==(const EstimatorOptions&, const EstimatorOptions&) = default;
+};
+
 struct CycleOptions {
+  EstimatorOptions estimator;
   CheckOptions checks;
   ValidityOptions validity;
   ShiftOptions shift;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "engine_sim/linear_model/capacity.h"
 #include "engine_sim/linear_model/linear_model.h"
-#include "monitor/estimation/capacity.h"
 
 namespace ehm::monitor {
 
@@ -19,8 +19,8 @@ struct Sample {
   std::uint32_t sensor_valid = 0;  ///< bit i: the source vouches for sensor i
   std::uint32_t sensor_count = 0;
   std::uint32_t actuator_count = 0;
-  std::array<double, estimation::max_actuators> actuator{};
-  std::array<double, estimation::max_sensors> sensor{};
+  std::array<double, linear_model::max_actuators> actuator{};
+  std::array<double, linear_model::max_sensors> sensor{};
 };
 
 }  // namespace ehm::monitor

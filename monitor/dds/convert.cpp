@@ -55,31 +55,30 @@ void convert(const EngineSensors& wire, Sample& sample) noexcept {
   std::copy(wire.sensor().begin(), wire.sensor().end(), sample.sensor.begin());
 }
 
-void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineHealth& wire) noexcept {
+void convert(const estimation::Estimate& estimate, std::uint32_t flags, const Stamp& stamp,
+             EngineHealth& wire) noexcept {
   stamp_with(wire, stamp);
   wire.publish_time_ns(stamp.publish_time_ns);
-  wire.sensors_used(bits(result.sensors_used));
-  wire.flags(result.flags);
-  const auto& filter = cycle.filter();
-  const auto tuners = filter.tuners();
-  wire.health_count(static_cast<std::uint32_t>(filter.health().size()));
-  wire.tuner_count(static_cast<std::uint32_t>(tuners.size()));
-  copy(filter.health(), wire.health());
-  copy(cycle.error().health_sigma(), wire.sigma_total());
-  copy(filter.health_sigma_filter(), wire.sigma_filter());
-  copy(tuners, wire.tuner());
+  wire.sensors_used(bits(estimate.sensors));
+  wire.flags(flags);
+  wire.health_count(static_cast<std::uint32_t>(estimate.health.size()));
+  wire.tuner_count(static_cast<std::uint32_t>(estimate.tuners.size()));
+  copy(estimate.health, wire.health());
+  copy(estimate.health_sigma, wire.sigma_total());
+  copy(estimate.health_sigma_filter, wire.sigma_filter());
+  copy(estimate.tuners, wire.tuner());
 }
 
-void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineAuxiliary& wire) noexcept {
+void convert(const estimation::Estimate& estimate, std::uint32_t flags, const Stamp& stamp,
+             EngineAuxiliary& wire) noexcept {
   stamp_with(wire, stamp);
   wire.publish_time_ns(stamp.publish_time_ns);
-  wire.sensors_used(bits(result.sensors_used));
-  wire.flags(result.flags);
-  const auto& filter = cycle.filter();
-  wire.auxiliary_count(static_cast<std::uint32_t>(filter.auxiliary().size()));
-  copy(filter.auxiliary(), wire.auxiliary());
-  copy(cycle.error().auxiliary_sigma(), wire.sigma_total());
-  copy(filter.auxiliary_sigma_filter(), wire.sigma_filter());
+  wire.sensors_used(bits(estimate.sensors));
+  wire.flags(flags);
+  wire.auxiliary_count(static_cast<std::uint32_t>(estimate.auxiliary.size()));
+  copy(estimate.auxiliary, wire.auxiliary());
+  copy(estimate.auxiliary_sigma, wire.sigma_total());
+  copy(estimate.auxiliary_sigma_filter, wire.sigma_filter());
 }
 
 void convert(const CycleResult& result, const Stamp& stamp, EngineResiduals& wire) noexcept {

@@ -4,7 +4,9 @@
 #include <cstdint>
 
 #include "idl/layout.h"
-#include "monitor/cycle/monitor_cycle.h"
+#include "monitor/cycle/cycle_result.h"
+#include "monitor/data/sample.h"
+#include "monitor/design/design.h"
 
 namespace ehm::monitor {
 
@@ -17,8 +19,10 @@ struct Stamp {
 
 /// Real-time safe: yes, all of them.
 void convert(const EngineSensors& wire, Sample& sample) noexcept;
-void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineHealth& wire) noexcept;
-void convert(const MonitorCycle& cycle, const CycleResult& result, const Stamp& stamp, EngineAuxiliary& wire) noexcept;
+void convert(const estimation::Estimate& estimate, std::uint32_t flags, const Stamp& stamp,
+             EngineHealth& wire) noexcept;
+void convert(const estimation::Estimate& estimate, std::uint32_t flags, const Stamp& stamp,
+             EngineAuxiliary& wire) noexcept;
 void convert(const CycleResult& result, const Stamp& stamp, EngineResiduals& wire) noexcept;
 
 /// What this monitor estimates from what; may allocate.

@@ -56,6 +56,9 @@ struct SubsetDesign {
   Eigen::MatrixXd health_noise_covariance, auxiliary_noise_covariance;                  ///< T S T^T
   Eigen::VectorXd innovation_variance;                                                  ///< m, percent^2
   double slowest_time_constant_s = 0.0;                                                 ///< of the closed loop
+
+  /// A thousandth is left of a start after that.
+  [[nodiscard]] double settling_s() const noexcept { return 7.0 * slowest_time_constant_s; }
 };
 
 /// Expected squared error by channel: health in percent^2, auxiliary in reporting units^2.

@@ -62,8 +62,7 @@ estimation::ErrorModel make_error_model(const Design& design, const SubsetDesign
   error.health_scale = design.scaling.health;
   error.auxiliary_scale = design.scaling.auxiliary;
   error.sensor_scale = design.scaling.sensor;
-  error.settling_samples =
-      static_cast<int>(std::ceil(7.0 * subset.slowest_time_constant_s / design.model.sample_time_s));
+  error.settling_samples = static_cast<int>(std::ceil(subset.settling_s() / design.model.sample_time_s));
   return error;
 }
 

@@ -20,7 +20,7 @@ using linear_model::max_states;
 using linear_model::max_unit_length;
 inline constexpr int max_tuners = 16;
 inline constexpr int max_augmented = max_states + max_tuners;
-static_assert(max_augmented == 28);
+static_assert(max_augmented == 32);
 
 template <int MaxRows>
 using BoundedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, MaxRows, 1>;

@@ -43,6 +43,14 @@ FullOrderModel full_order_model(const linear_model::LinearModel& model) {
   settled = (settled * model.health_sigma.asDiagonal()).eval();
   full.prior = settled * settled.transpose();
   full.prior.topLeftCorner(n, n) += linear_model::stationary_covariance(model.A, model.process_noise);
+  const Eigen::Index m = model.C.rows(), r = model.F.rows();
+  full.sensor_offset.resize(m, model.linearisation_error.cols());
+  full.auxiliary_offset.resize(r, model.linearisation_error.cols());
+  if (model.linearisation_error.size() > 0) {
+    const Eigen::MatrixXd offset = linear_model::covariance_root(model.linearisation_error);
+    full.sensor_offset = offset.topRows(m);
+    full.auxiliary_offset = offset.bottomRows(r);
+  }
   return full;
 }
 

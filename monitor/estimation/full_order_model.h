@@ -14,6 +14,9 @@ namespace ehm::estimation {
 using FullOrderCovariance = BoundedMatrix<max_augmented, max_augmented>;
 static_assert(max_states + max_health <= max_augmented);
 
+/// What the real engine's nonlinearity adds to sensors and outputs has as many directions at most.
+inline constexpr int max_offsets = max_sensors + max_auxiliary;
+
 struct FullOrderModel {
   BoundedMatrix<max_states, max_states> A;
   BoundedMatrix<max_states, max_actuators> B;
@@ -27,6 +30,9 @@ struct FullOrderModel {
   /// Of an engine of the fleet that has run before the filter looks at it: [X; I] Ph [X; I]^T + blkdiag(cov(dx), 0),
   /// X = (I-A)^-1 L, and its motion about the balance, cov(dx) = A cov(dx) A^T + Q.
   FullOrderCovariance prior;
+  /// [Ey; Ez], a root of the model's linearisation_error; without columns where the model has none.
+  BoundedMatrix<max_sensors, max_offsets> sensor_offset;
+  BoundedMatrix<max_auxiliary, max_offsets> auxiliary_offset;
 };
 
 /// `model` has passed linear_model::check_model.

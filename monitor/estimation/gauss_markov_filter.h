@@ -6,10 +6,13 @@
 //   predict   xpred = A x + B u + L h,  hpred = rho h
 //   correct   nu = y - [C M] [xpred; hpred] - D u,   [x; h] = [xpred; hpred] + K nu
 //
-// K is (n+p) x m, steady, from the Riccati equation (tuner_design/full_order/gauss_markov.h); rho < 1 makes the pair
+// K is (n+p) x m, steady, from the Riccati equation (design/gauss_markov_design.h); rho < 1 makes the pair
 // detectable although m < p: what no sensor sees returns to the fleet's mean, with the time constant
 // -T_sample / ln(rho). Starts at xhat = 0. A sensor that is not fused is bridged by prediction for a few samples; one
 // that stays away needs a gain of its own. Deviations from trim, units of the model.
+
+#include <memory>
+#include <utility>
 
 #include "monitor/estimation/full_order_model.h"
 
@@ -23,8 +26,12 @@ struct GaussMarkovGain {
 
 class GaussMarkovFilter {
  public:
+  /// Copies share both.
   /// @throws std::invalid_argument if rho is not between 0 and 1 or a shape does not fit the model.
-  GaussMarkovFilter(const FullOrderModel& model, const GaussMarkovGain& gain);
+  GaussMarkovFilter(std::shared_ptr<const FullOrderModel> model, std::shared_ptr<const GaussMarkovGain> gain);
+  GaussMarkovFilter(const FullOrderModel& model, const GaussMarkovGain& gain)
+      : GaussMarkovFilter(std::make_shared<const FullOrderModel>(model),
+                          std::make_shared<const GaussMarkovGain>(gain)) {}
 
   /// Real-time safe: yes.
   void predict(const ActuatorVector& du_previous) noexcept;
@@ -35,18 +42,20 @@ class GaussMarkovFilter {
   void update(SensorMask fused) noexcept;
   /// Back to the trim engine. Real-time safe: yes.
   void reset() noexcept;
+  /// Goes on with the gain of other sensors, of the same shape. Real-time safe: yes.
+  void use(const std::shared_ptr<const GaussMarkovGain>& gain) noexcept { gain_ = gain; }
 
   [[nodiscard]] const HealthVector& health() const noexcept { return health_; }
   [[nodiscard]] const AuxiliaryVector& auxiliary() const noexcept { return auxiliary_; }
   /// As measured, not masked.
   [[nodiscard]] const SensorVector& innovation() const noexcept { return innovation_; }
-  [[nodiscard]] const SensorVector& innovation_variance() const noexcept { return gain_.innovation_variance; }
+  [[nodiscard]] const SensorVector& innovation_variance() const noexcept { return gain_->innovation_variance; }
 
  private:
   void read_out() noexcept;
 
-  FullOrderModel model_;
-  GaussMarkovGain gain_;
+  std::shared_ptr<const FullOrderModel> model_;
+  std::shared_ptr<const GaussMarkovGain> gain_;
   AugmentedVector estimate_;  ///< [x; h], predicted or corrected
   StateVector state_;         ///< the next x, before it replaces the present one
   SensorVector innovation_;

@@ -1,43 +1,50 @@
 #include "monitor/estimation/time_varying_filter.h"
 
 #include <cmath>
+#include <utility>
 
 namespace ehm::estimation {
 
-TimeVaryingFilter::TimeVaryingFilter(const FullOrderModel& model)
-    : model_(model), outputs_(model.sensor_output.transpose()) {
+TimeVaryingFilter::TimeVaryingFilter(std::shared_ptr<const FullOrderModel> model)
+    : model_(std::move(model)), outputs_(model_->sensor_output.transpose()) {
   reset();
 }
 
 void TimeVaryingFilter::reset() noexcept {
-  estimate_.setZero(model_.prior.rows());
-  covariance_ = model_.prior;
-  measured_.setZero(model_.D.rows());
+  estimate_.setZero(model_->prior.rows());
+  covariance_ = model_->prior;
+  measured_.setZero(model_->D.rows());
   innovation_ = measured_;
   innovation_variance_ = measured_;
-  gain_.setZero(model_.prior.rows());
-  actuators_.setZero(model_.D.cols());
+  gain_.setZero(model_->prior.rows());
+  actuators_.setZero(model_->D.cols());
+  offset_.setZero(model_->prior.rows(), model_->sensor_offset.cols());
   read_out();
 }
 
 void TimeVaryingFilter::predict(const ActuatorVector& du_previous) noexcept {
-  const Eigen::Index n = model_.A.rows(), p = model_.L.cols();
+  const Eigen::Index n = model_->A.rows(), p = model_->L.cols();
   // x <- A x + B u + L h
-  state_.noalias() = model_.A.lazyProduct(estimate_.head(n));
-  state_ += model_.B.lazyProduct(du_previous);
-  state_ += model_.L.lazyProduct(estimate_.tail(p));
+  state_.noalias() = model_->A.lazyProduct(estimate_.head(n));
+  state_ += model_->B.lazyProduct(du_previous);
+  state_ += model_->L.lazyProduct(estimate_.tail(p));
   estimate_.head(n) = state_;
+  if (offset_.cols() > 0) {
+    moved_offset_.noalias() = model_->A.lazyProduct(offset_.topRows(n));
+    moved_offset_ += model_->L.lazyProduct(offset_.bottomRows(p));
+    offset_.topRows(n) = moved_offset_;
+  }
 
   // T = A Pxh + L Phh
-  moved_cross_.noalias() = model_.A.lazyProduct(covariance_.topRightCorner(n, p));
+  moved_cross_.noalias() = model_->A.lazyProduct(covariance_.topRightCorner(n, p));
   cross_ = moved_cross_;
-  cross_ += model_.L.lazyProduct(covariance_.bottomRightCorner(p, p));
+  cross_ += model_->L.lazyProduct(covariance_.bottomRightCorner(p, p));
   // Pxx <- A Pxx A^T + T L^T + L (A Pxh)^T + Q
-  const BoundedMatrix<max_states, max_states> moved_state = model_.A.lazyProduct(covariance_.topLeftCorner(n, n));
-  state_block_ = model_.process_noise;
-  state_block_ += moved_state.lazyProduct(model_.A.transpose());
-  state_block_ += cross_.lazyProduct(model_.L.transpose());
-  state_block_ += model_.L.lazyProduct(moved_cross_.transpose());
+  const BoundedMatrix<max_states, max_states> moved_state = model_->A.lazyProduct(covariance_.topLeftCorner(n, n));
+  state_block_ = model_->process_noise;
+  state_block_ += moved_state.lazyProduct(model_->A.transpose());
+  state_block_ += cross_.lazyProduct(model_->L.transpose());
+  state_block_ += model_->L.lazyProduct(moved_cross_.transpose());
   for (Eigen::Index j = 0; j < n; ++j) {
     for (Eigen::Index i = 0; i < n; ++i) covariance_(i, j) = 0.5 * (state_block_(i, j) + state_block_(j, i));
   }
@@ -48,13 +55,13 @@ void TimeVaryingFilter::predict(const ActuatorVector& du_previous) noexcept {
 void TimeVaryingFilter::innovation(const SensorVector& dy, const ActuatorVector& du) noexcept {
   actuators_ = du;
   measured_ = dy;
-  measured_ -= model_.D.lazyProduct(du);
+  measured_ -= model_->D.lazyProduct(du);
   innovation_ = measured_;
-  innovation_ -= model_.sensor_output.lazyProduct(estimate_);
+  innovation_ -= model_->sensor_output.lazyProduct(estimate_);
   // diag(c P c^T) + R
   for (Eigen::Index i = 0; i < innovation_variance_.size(); ++i) {
     project(i);
-    innovation_variance_(i) = outputs_.col(i).dot(gain_) + model_.sensor_noise_variance(i);
+    innovation_variance_(i) = outputs_.col(i).dot(gain_) + model_->sensor_noise_variance(i);
   }
 }
 
@@ -69,11 +76,14 @@ void TimeVaryingFilter::fuse(Eigen::Index sensor) noexcept {
   const auto c = outputs_.col(sensor);
   // s = c P c^T + r,  b = P c^T / sqrt(s)
   project(sensor);
-  const double root = std::sqrt(c.dot(gain_) + model_.sensor_noise_variance(sensor));
+  const double root = std::sqrt(c.dot(gain_) + model_->sensor_noise_variance(sensor));
   gain_ /= root;
   // xhat <- xhat + b (y - D u - c xhat) / sqrt(s)
   const double residual = measured_(sensor) - c.dot(estimate_);
   estimate_ += gain_ * (residual / root);
+  // D <- D + b (Ey_i - c D) / sqrt(s)
+  for (Eigen::Index e = 0; e < offset_.cols(); ++e)
+    offset_.col(e) += gain_ * ((model_->sensor_offset(sensor, e) - c.dot(offset_.col(e))) / root);
   // P <- P - b b^T, symmetric because b_i b_j = b_j b_i also in floating point
   for (Eigen::Index j = 0; j < gain_.size(); ++j) covariance_.col(j) -= gain_ * gain_(j);
 }
@@ -85,18 +95,29 @@ void TimeVaryingFilter::project(Eigen::Index sensor) noexcept {
 }
 
 HealthVector TimeVaryingFilter::health_variance() const noexcept {
-  return covariance_.diagonal().tail(model_.L.cols());
+  return covariance_.diagonal().tail(model_->L.cols());
 }
 
 AuxiliaryVector TimeVaryingFilter::auxiliary_variance() const noexcept {
-  const BoundedMatrix<max_auxiliary, max_augmented> seen = model_.auxiliary_output.lazyProduct(covariance_);
-  return seen.cwiseProduct(model_.auxiliary_output).rowwise().sum();
+  const BoundedMatrix<max_auxiliary, max_augmented> seen = model_->auxiliary_output.lazyProduct(covariance_);
+  return seen.cwiseProduct(model_->auxiliary_output).rowwise().sum();
+}
+
+HealthVector TimeVaryingFilter::health_offset_variance() const noexcept {
+  return offset_.bottomRows(model_->L.cols()).rowwise().squaredNorm();
+}
+
+AuxiliaryVector TimeVaryingFilter::auxiliary_offset_variance() const noexcept {
+  // Tz D - Ez: what the offsets do to the estimate, beside what they are in the engine itself
+  BoundedMatrix<max_auxiliary, max_offsets> error = model_->auxiliary_output.lazyProduct(offset_);
+  error -= model_->auxiliary_offset;
+  return error.rowwise().squaredNorm();
 }
 
 void TimeVaryingFilter::read_out() noexcept {
-  health_ = estimate_.tail(model_.L.cols());
-  auxiliary_ = model_.auxiliary_output.lazyProduct(estimate_);
-  auxiliary_ += model_.G.lazyProduct(actuators_);
+  health_ = estimate_.tail(model_->L.cols());
+  auxiliary_ = model_->auxiliary_output.lazyProduct(estimate_);
+  auxiliary_ += model_->G.lazyProduct(actuators_);
 }
 
 }  // namespace ehm::estimation

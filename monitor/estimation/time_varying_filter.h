@@ -13,6 +13,14 @@
 // change of health is followed ever more slowly (gauss_markov_filter.h forgets). On the linear model covariance() is
 // the error's own, over the fleet: bias included. Deviations from trim, units of the model. Source: Bierman,
 // Factorization Methods for Discrete Sequential Estimation (1977), ch. II, scalar measurement processing.
+//
+// The real engine adds constant offsets that this model leaves out, Ey e to the sensors and Ez e to the outputs, e of
+// unit variance (full_order_model.h). They are considered, not estimated: D = E[xhat - [x; h] | e] is carried along,
+//   D <- [A L; 0 I] D,    D <- D + b (Ey_i - c D) / sqrt(s)
+// and adds diag(Dh Dh^T) and diag((Tz D - Ez) (..)^T) to the variances. Source: Schmidt's consider filter; Bierman,
+// ch. VIII.
+
+#include <memory>
 
 #include "monitor/estimation/full_order_model.h"
 
@@ -20,7 +28,10 @@ namespace ehm::estimation {
 
 class TimeVaryingFilter {
  public:
-  explicit TimeVaryingFilter(const FullOrderModel& model);
+  /// Copies share the model.
+  explicit TimeVaryingFilter(std::shared_ptr<const FullOrderModel> model);
+  explicit TimeVaryingFilter(const FullOrderModel& model)
+      : TimeVaryingFilter(std::make_shared<const FullOrderModel>(model)) {}
 
   /// One sample further; not before the first one. Real-time safe: yes.
   void predict(const ActuatorVector& du_previous) noexcept;
@@ -39,6 +50,9 @@ class TimeVaryingFilter {
   /// diag(Phh) and diag([F N] P [F N]^T). Real-time safe: yes.
   [[nodiscard]] HealthVector health_variance() const noexcept;
   [[nodiscard]] AuxiliaryVector auxiliary_variance() const noexcept;
+  /// What the engine's nonlinearity adds to them; 0 where the model knows of none. Real-time safe: yes.
+  [[nodiscard]] HealthVector health_offset_variance() const noexcept;
+  [[nodiscard]] AuxiliaryVector auxiliary_offset_variance() const noexcept;
   /// Of the predicted sensors, as measured; not masked.
   [[nodiscard]] const SensorVector& innovation() const noexcept { return innovation_; }
   [[nodiscard]] const SensorVector& innovation_variance() const noexcept { return innovation_variance_; }
@@ -48,13 +62,15 @@ class TimeVaryingFilter {
   void project(Eigen::Index sensor) noexcept;
   void read_out() noexcept;
 
-  FullOrderModel model_;
+  std::shared_ptr<const FullOrderModel> model_;
   BoundedMatrix<max_augmented, max_sensors> outputs_;          ///< [C M]^T: a column for each sensor
   AugmentedVector estimate_, gain_;                            ///< [x; h], b
   StateVector state_;                                          ///< the next x, before it replaces the present one
   FullOrderCovariance covariance_;                             ///< P
   BoundedMatrix<max_states, max_states> state_block_;          ///< the next Pxx
   BoundedMatrix<max_states, max_health> cross_, moved_cross_;  ///< T and A Pxh
+  BoundedMatrix<max_augmented, max_offsets> offset_;           ///< D
+  BoundedMatrix<max_states, max_offsets> moved_offset_;        ///< the next Dx
   SensorVector measured_;                                      ///< y - D u
   SensorVector innovation_, innovation_variance_;
   ActuatorVector actuators_;

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "monitor/estimation/capacity.h"
-#include "monitor/estimation/padded_matrix.h"
+#include "monitor/estimation/linear/padded_matrix.h"
 
 namespace ehm::estimation {
 

@@ -132,7 +132,7 @@ std::shared_ptr<const FaultTables> fault_tables(const design::Design& design) {
   const int ages = static_cast<int>(std::clamp(std::round(horizon_s / T), 8.0, static_cast<double>(most_ages)));
   const auto made = [&](const design::SubsetDesign& set) {
     FaultSignatures s = signatures(set, plant, ages);
-    s.settling_samples = static_cast<Eigen::Index>(std::ceil(7.0 * set.slowest_time_constant_s / T));
+    s.settling_samples = static_cast<Eigen::Index>(std::ceil(set.settling_s() / T));
     return s;
   };
   auto tables = std::make_shared<FaultTables>();

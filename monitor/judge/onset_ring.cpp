@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "monitor/estimation/matrix_vector_product.h"
+#include "monitor/estimation/linear/matrix_vector_product.h"
 
 namespace ehm::monitor {
 

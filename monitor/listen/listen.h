@@ -8,7 +8,7 @@
 #include <CLI/App.hpp>
 #include <iosfwd>
 
-#include "monitor/service/config.h"
+#include "monitor/service/monitor_config.h"
 #include "monitor/service/engine_table.h"
 
 namespace ehm::monitor {

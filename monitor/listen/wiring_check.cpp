@@ -7,8 +7,8 @@
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/sensor_check.h"
 #include "monitor/checks/source_fit.h"
-#include "monitor/checks/validity.h"
 #include "monitor/dds/misfit_text.h"
+#include "monitor/estimation/point_distance.h"
 #include "monitor/listen/expectation.h"
 #include "monitor/listen/suspicion.h"
 
@@ -161,8 +161,10 @@ bool at_design_point(const SourceRecord& s, const SourceFit& fit, const CycleOpt
   sample.actuator_count = s.last.actuator_count();
   std::copy(s.last.actuator().begin(), s.last.actuator().end(), sample.actuator.begin());
   fit.apply(sample);
-  EventList unheard;
-  return Validity(options.validity, model).judge(sample, unheard);
+  estimation::Conditions here{sample.flight, estimation::ActuatorVector(model.controls.size())};
+  for (std::size_t i = 0; i < model.controls.size(); ++i)
+    here.actuators(static_cast<Eigen::Index>(i)) = sample.actuator[i];
+  return estimation::PointDistance(options.validity, model).of(here) <= 1.0;
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ class RecordFeed {
   void sample(const EngineSlot& slot, bool accepted) noexcept {
     fill_row(slot, accepted, next_.row);
     push(slot);
+    for (int i = 0; accepted && i < slot.cycle.shadows(); ++i) {
+      fill_shadow(slot, i, next_.row);
+      push(slot);
+    }
   }
   /// After the slot's cycle was told that no sample has come for `age_ns`, and took that as a loss. Noted once between
   /// two samples, even if neither was in order: telling it again changes nothing.

@@ -37,21 +37,24 @@ void fill_sample(const Sample& sample, Row& row) noexcept {
   row.x_s = sample.sensor;
 }
 
-void fill_result(const MonitorCycle& cycle, Row& row) noexcept {
-  const CycleResult& result = cycle.result();
+void fill_estimate(const estimation::Estimate& estimate, Row& row) noexcept {
+  copy(estimate.auxiliary, row.x_v);
+  copy(estimate.auxiliary_sigma, row.x_v_sigma);
+  copy(estimate.auxiliary_sigma_filter, row.x_v_sigma_filter);
+  copy(estimate.health, row.t);
+  copy(estimate.health_sigma, row.t_sigma);
+  copy(estimate.health_sigma_filter, row.t_sigma_filter);
+}
+
+void fill_result(const CycleResult& result, Row& row) noexcept {
   row.a.estimates = result.estimates ? 1 : 0;
   row.a.flags = result.flags;
-  row.a.sensors_used = bits(result.sensors_used);
+  row.a.sensors_used = bits(result.estimate.sensors);
   row.a.fused = bits(result.fused);
   row.a.rejected = bits(result.rejected);
   copy(result.innovation, row.innovation);
   if (!result.estimates) return;
-  copy(cycle.filter().auxiliary(), row.x_v);
-  copy(cycle.error().auxiliary_sigma(), row.x_v_sigma);
-  copy(cycle.filter().auxiliary_sigma_filter(), row.x_v_sigma_filter);
-  copy(cycle.filter().health(), row.t);
-  copy(cycle.error().health_sigma(), row.t_sigma);
-  copy(cycle.filter().health_sigma_filter(), row.t_sigma_filter);
+  fill_estimate(result.estimate, row);
 }
 
 std::vector<recording::Channel> described(const std::vector<linear_model::Channel>& channels) {
@@ -67,7 +70,19 @@ void fill_row(const EngineSlot& slot, bool accepted, Row& row) noexcept {
   row.a.unit = slot.engine_id;
   row.a.accepted = accepted ? 1 : 0;
   fill_sample(slot.sample, row);
-  if (accepted) fill_result(slot.cycle, row);
+  if (accepted) fill_result(slot.cycle.result(), row);
+}
+
+void fill_shadow(const EngineSlot& slot, int shadow, Row& row) noexcept {
+  fill_marker(slot, recording::RowKind::shadow, 0, row);
+  row.a.kind += shadow;
+  const CycleResult& result = slot.cycle.result();
+  const estimation::Estimate& estimate = result.shadow[static_cast<std::size_t>(shadow)];
+  row.a.accepted = 1;
+  row.a.estimates = result.estimates ? 1 : 0;
+  row.a.flags = result.flags;
+  row.a.sensors_used = bits(estimate.sensors);
+  if (result.estimates) fill_estimate(estimate, row);
 }
 
 void fill_marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t age_ns, Row& row) noexcept {

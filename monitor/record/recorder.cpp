@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "deploy/runtime/config/config_error.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/recording/part_files.h"
 #include "deploy/runtime/service/last_catch.h"
@@ -35,6 +36,7 @@ Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines, Noti
   info_.monitor_source_id = config.source_id;
   info_.sample_time_s = first.model.sample_time_s;
   info_.created_by = "monitor";
+  info_.shadows = config.cycle.estimator.shadow;
   info_.channels = recorded_channels(first);
   try {
     begin_part(info_.channels);

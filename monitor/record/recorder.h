@@ -20,7 +20,7 @@
 
 #include "deploy/runtime/recording/writer.h"
 #include "monitor/record/record_feed.h"
-#include "monitor/service/config.h"
+#include "monitor/service/monitor_config.h"
 #include "monitor/service/engine_table.h"
 #include "monitor/service/notice_board.h"
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "idl/dds/endpoint.h"
 
@@ -18,8 +19,10 @@ inline constexpr std::uint32_t incumbent_bonus = 2'000'000;  // twice the larges
 template <class T>
 class RankedWriter {
  public:
-  explicit RankedWriter(idl::Participant& participant) : configured_(participant) {
-    if (participant.options().redundancy.exclusive) incumbent_.emplace(participant, incumbent_bonus);
+  /// `estimator` as for an idl::Writer.
+  explicit RankedWriter(idl::Participant& participant, const std::string& estimator = "")
+      : configured_(participant, 0, estimator) {
+    if (participant.options().redundancy.exclusive) incumbent_.emplace(participant, incumbent_bonus, estimator);
   }
   /// False when the middleware refused the sample.
   bool write(const T& sample, bool as_incumbent) { return ranked(as_incumbent).write(sample); }

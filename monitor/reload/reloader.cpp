@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "deploy/runtime/config/config_error.h"
 #include "deploy/runtime/service/last_catch.h"
 #include "idl/wire_values.h"
 

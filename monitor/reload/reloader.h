@@ -12,7 +12,7 @@
 
 #include "deploy/runtime/service/reload_signal.h"
 #include "monitor/reload/table_exchange.h"
-#include "monitor/service/config.h"
+#include "monitor/service/monitor_config.h"
 #include "monitor/service/notice_board.h"
 
 namespace ehm::monitor {

@@ -5,6 +5,7 @@
 
 #include "deploy/runtime/config/table_reader.h"
 #include "deploy/runtime/service/listen_address.h"
+#include "monitor/design/make_estimator.h"
 
 namespace ehm::monitor {
 
@@ -78,6 +79,21 @@ void declare_fleet(Schema& schema, FleetOptions& f) {
   schema.real("fleet.withhold_sigma", f.withhold_sigma, 3, 1000, "sigma of the prior",
               "still farther out estimates are withheld; not below fleet.warn_sigma");
   schema.real("fleet.persistence_s", f.persistence_s, 0, 60, "s", "so long in a row before either");
+}
+
+void declare_estimators(Schema& schema, EstimatorOptions& o) {
+  std::vector<std::string> names;
+  std::string what;
+  for (const design::EstimatorKind& kind : design::estimator_kinds()) {
+    names.push_back(kind.name);
+    what += (what.empty() ? "" : "; ") + std::string(kind.name) + ": " + kind.description;
+  }
+  schema.choice("estimator.published", o.published, names, "whose estimates are published. " + what);
+  schema.text("estimator.shadow", o.shadow,
+              "estimators that fly beside it, with commas between; theirs are published as EngineHealth/NAME and "
+              "EngineAuxiliary/NAME, and recorded");
+  schema.real("estimator.memory_s", o.memory_s, 1, 1e7, "s",
+              "of gauss_markov: what no sensor sees returns to the fleet's mean within that time");
 }
 
 void declare_recording(Schema& schema, MonitorConfig& m) {
@@ -202,6 +218,7 @@ void declare(Schema& schema, MonitorConfig& m) {
                 "age of the input by our own clock, or by the samples' time stamps (replay, accelerated runs)");
   declare_cycle(schema, m.cycle);
   declare_fleet(schema, m.cycle.fleet);
+  declare_estimators(schema, m.cycle.estimator);
   declare_realtime(schema, m.realtime);
   declare_recording(schema, m);
   declare_checkpoint(schema, m);
@@ -251,6 +268,11 @@ void finish_config(const MonitorConfig& m) {
     throw ConfigError("'offline.file' and 'offline.out' need each other: --offline FILE --out FILE");
   if (m.offline.file.empty() && !m.offline.column_map.empty())
     throw ConfigError("'offline.column_map' is for 'offline.file', which is not set");
+  try {
+    design::shadow_names(m.cycle.estimator);
+  } catch (const std::invalid_argument& e) {
+    throw ConfigError(std::string("'estimator.shadow': ") + e.what());
+  }
   std::set<std::int64_t> seen;
   for (const auto& e : m.engines)
     for (const auto id : e.ids)

@@ -38,6 +38,10 @@ void CycleThread::release(EngineSlot& slot) {
   health_.release(health_sample_, incumbent());
   auxiliary_.release(auxiliary_sample_, incumbent());
   residuals_.release(residuals_sample_, incumbent());
+  for (ShadowWriters& shadow : shadows_) {
+    shadow.health.release(health_sample_, incumbent());
+    shadow.auxiliary.release(auxiliary_sample_, incumbent());
+  }
   slot.released = true;
 }
 

@@ -49,6 +49,7 @@ CycleThread::CycleThread(idl::Participant& participant, const MonitorConfig& con
   wait_set_.attach_condition(commands_.condition());
   wait_set_.attach_condition(descriptions_.condition());
   triggered_.reserve(3);
+  for (const std::string& name : design::shadow_names(config.cycle.estimator)) shadows_.emplace_back(participant, name);
   if (participant.options().redundancy.exclusive) peers_ = std::make_unique<PeerWatch>(participant, source_id_);
 }
 
@@ -74,7 +75,7 @@ void CycleThread::run_once() {
 void CycleThread::hear_descriptions() {
   descriptions_.take([&](const SourceKey& key, DescribedSource& source) {
     EngineSlot* slot = engines_->find(key.engine_id);
-    if (!slot || slot->participant != key.participant || slot->cycle.source_id() != key.source_id) return;
+    if (!slot || slot->participant != key.participant || slot->cycle.intake().source_id() != key.source_id) return;
     const SourceFit before = source.fit;
     source.fit_to(slot->cycle.design().model);
     report_misfits(*slot, source);
@@ -115,8 +116,8 @@ bool CycleThread::must_wait(const Arrival& arrival) {
   if (!waiting_.empty() && waiting_.holds(engine_id, arrival.writer)) return true;
   const EngineSlot* slot = engines_->find(engine_id);
   if (slot && slot->cycle.counters().received > 0 &&
-      (slot->cycle.foreign(source_id, arrival.writer) ||
-       (slot->cycle.source_id() == source_id && slot->participant == arrival.participant)))
+      (slot->cycle.intake().foreign(source_id, arrival.writer) ||
+       (slot->cycle.intake().source_id() == source_id && slot->participant == arrival.participant)))
     return false;
   return descriptions_.awaited({engine_id, source_id, arrival.participant}, arrival.arrival_ns, monotonic_ns());
 }
@@ -133,7 +134,7 @@ void CycleThread::handle(const Arrival& arrival) {
   const std::uint64_t malformed = slot->cycle.counters().malformed;
   if (slot->cycle.counters().received == 0) first_sample(*slot);
   const bool accepted = slot->cycle.estimate(slot->sample);
-  if (accepted || slot->cycle.sequence_stands()) slot->heard_ns = arrival.arrival_ns;
+  if (accepted || slot->cycle.intake().sequence_stands()) slot->heard_ns = arrival.arrival_ns;
   if (accepted) {
     slot->received_ns = arrival.arrival_ns;
     slot->participant = arrival.participant;
@@ -223,7 +224,7 @@ void CycleThread::publish(EngineSlot& slot, std::int64_t arrival_ns) {
   const CycleResult& result = slot.cycle.result();
   const Stamp stamp{slot.engine_id, source_id_, slot.sample.sequence, slot.sample.source_time_ns, wall_clock_ns()};
   if (result.estimates) {
-    convert(slot.cycle, result, stamp, health_sample_);
+    convert(result.estimate, result.flags, stamp, health_sample_);
     if (send(slot, health_, health_sample_)) {
       const double latency_us = std::max(0.0, 1e-3 * static_cast<double>(monotonic_ns() - arrival_ns));
       slot.latency.record(latency_us);
@@ -232,11 +233,22 @@ void CycleThread::publish(EngineSlot& slot, std::int64_t arrival_ns) {
   }
   slot.cycle.judge();
   if (result.estimates) {
-    convert(slot.cycle, result, stamp, auxiliary_sample_);
+    convert(result.estimate, result.flags, stamp, auxiliary_sample_);
     send(slot, auxiliary_, auxiliary_sample_);
+    publish_shadows(slot, stamp);
   }
   convert(result, stamp, residuals_sample_);
   send(slot, residuals_, residuals_sample_);
+}
+
+void CycleThread::publish_shadows(EngineSlot& slot, const Stamp& stamp) {
+  const CycleResult& result = slot.cycle.result();
+  for (std::size_t i = 0; i < shadows_.size(); ++i) {
+    convert(result.shadow[i], result.flags, stamp, health_sample_);
+    send(slot, shadows_[i].health, health_sample_);
+    convert(result.shadow[i], result.flags, stamp, auxiliary_sample_);
+    send(slot, shadows_[i].auxiliary, auxiliary_sample_);
+  }
 }
 
 template <class T>

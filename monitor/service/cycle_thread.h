@@ -4,11 +4,13 @@
 // of the sample by the middleware to its EngineHealth handed to the middleware. Logs, events and status go to the
 // reporter through a bounded queue.
 
+#include <deque>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 
 #include "deploy/runtime/service/watchdog.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
+#include "monitor/dds/convert.h"
 #include "monitor/dds/source_descriptions.h"
 #include "monitor/dds/waiting_room.h"
 #include "monitor/realtime/arrival_clock.h"
@@ -18,6 +20,7 @@
 #include "monitor/reload/table_exchange.h"
 #include "monitor/service/engine_table.h"
 #include "monitor/service/report.h"
+#include "monitor/service/shadow_writers.h"
 
 namespace ehm::monitor {
 
@@ -52,6 +55,7 @@ class CycleThread {
   void report_misfits(const EngineSlot& slot, DescribedSource& source);
   void report_channel(const EngineSlot& slot, const SourceChannel& channel);
   void publish(EngineSlot& slot, std::int64_t arrival_ns);
+  void publish_shadows(EngineSlot& slot, const Stamp& stamp);
   /// False if this monitor must not write now.
   template <class T>
   bool send(EngineSlot& slot, RankedWriter<T>& writer, const T& sample);
@@ -95,7 +99,8 @@ class CycleThread {
   RankedWriter<EngineHealth> health_;
   RankedWriter<EngineAuxiliary> auxiliary_;
   RankedWriter<EngineResiduals> residuals_;
-  bool leaving_ = false;  ///< engines are to be released
+  std::deque<ShadowWriters> shadows_;  ///< in the order of estimator.shadow
+  bool leaving_ = false;               ///< engines are to be released
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;
 

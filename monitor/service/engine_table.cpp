@@ -8,13 +8,13 @@
 
 namespace ehm::monitor {
 
-PreparedDesign EngineTable::prepare(const std::string& file, const EngineTable* before) {
+PreparedDesign EngineTable::prepare(const std::string& file, const CycleOptions& options, const EngineTable* before) {
   auto design = std::make_shared<const design::Design>(design::read_design(file));
   if (before)
     for (const auto& [name, prepared] : before->designs_)
-      if (prepared.design->hash == design->hash) return prepared;
+      if (prepared.design->hash == design->hash && prepared.serves(options)) return prepared;
   try {
-    return PreparedDesign(std::move(design));
+    return PreparedDesign(std::move(design), options);
   } catch (const std::invalid_argument& e) {
     throw files::FileError(file + ": the matrices do not fit together: " + e.what() +
                            ". Make the design again with tuner_design design.");
@@ -25,7 +25,7 @@ EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before)
     : index_(static_cast<std::size_t>(config.max_engines)) {
   const auto make_slot = [&](const std::string& file) {
     auto known = designs_.find(file);
-    if (known == designs_.end()) known = designs_.emplace(file, prepare(file, before)).first;
+    if (known == designs_.end()) known = designs_.emplace(file, prepare(file, config.cycle, before)).first;
     auto slot = std::make_unique<EngineSlot>(known->second, config.cycle);
     slot->number = slots_.size();
     return slot;

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "monitor/service/config.h"
 #include "monitor/service/engine_index.h"
 #include "monitor/service/engine_slot.h"
+#include "monitor/service/monitor_config.h"
 
 namespace ehm::monitor {
 
@@ -67,7 +67,7 @@ class EngineTable {
  private:
   /// By the name of its file.
   using Designs = std::map<std::string, PreparedDesign>;
-  static PreparedDesign prepare(const std::string& file, const EngineTable* before);
+  static PreparedDesign prepare(const std::string& file, const CycleOptions& options, const EngineTable* before);
   static bool same_engine(const EngineSlot& a, const EngineSlot& b) noexcept;
   void assign(EngineSlot& slot, std::uint32_t engine_id) noexcept;
 

@@ -22,10 +22,11 @@ inline EstimateSnapshot estimates_of(const MonitorCycle& cycle) noexcept {
   const auto copy = [](const auto& from, auto& to) {
     std::transform(from.data(), from.data() + from.size(), to.begin(), [](double v) { return static_cast<float>(v); });
   };
-  copy(cycle.filter().health(), snapshot.health);
-  copy(cycle.error().health_sigma(), snapshot.health_sigma);
-  copy(cycle.filter().auxiliary(), snapshot.auxiliary);
-  copy(cycle.error().auxiliary_sigma(), snapshot.auxiliary_sigma);
+  const estimation::Estimate& estimate = cycle.result().estimate;
+  copy(estimate.health, snapshot.health);
+  copy(estimate.health_sigma, snapshot.health_sigma);
+  copy(estimate.auxiliary, snapshot.auxiliary);
+  copy(estimate.auxiliary_sigma, snapshot.auxiliary_sigma);
   return snapshot;
 }
 

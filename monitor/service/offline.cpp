@@ -57,6 +57,7 @@ class OfflineRun {
     info.monitor_source_id = config.source_id;
     info.sample_time_s = engines.designs().front()->model.sample_time_s;
     info.created_by = "monitor --offline";
+    info.shadows = config.cycle.estimator.shadow;
     info.channels = recorded_channels(*engines.designs().front());
     writer_.emplace(config.offline.out, info);
     if (rows_->info().part != 1)
@@ -138,6 +139,7 @@ class OfflineRun {
   void take(const Row& row) {
     EngineSlot& slot = slot_of(row);
     Row result;
+    if (row.shadow() >= 0) return compare_shadow(row, slot);
     if (row.kind() == RowKind::sample) {
       sample_of(row, slot.sample);
       fit_.apply(slot.sample);
@@ -150,11 +152,27 @@ class OfflineRun {
       obey_marker(row, slot);
     }
     lost_ = row.a.lost_before;
+    write(row, result, slot);
+    for (int i = 0; result.a.accepted != 0 && i < slot.cycle.shadows(); ++i) {
+      fill_shadow(slot, i, result);
+      write(row, result, slot);
+    }
+    say_events(slot);
+  }
+
+  void write(const Row& row, Row& result, const EngineSlot& slot) {
     result.a.received_ns = row.a.received_ns;
     result.a.lost_before = row.a.lost_before;
     writer_->append(result, writer_->design_index(slot.cycle.design().hash));
     if (writer_->pending() >= commit_rows) writer_->commit(false);
-    say_events(slot);
+  }
+
+  /// The row of a shadow estimator follows its sample's; without the same shadows there is nothing to compare with.
+  void compare_shadow(const Row& row, const EngineSlot& slot) {
+    if (rows_->info().shadows != config_.cycle.estimator.shadow) return;
+    Row result;
+    fill_shadow(slot, row.shadow(), result);
+    compare(row, result);
   }
 
   void obey_marker(const Row& row, EngineSlot& slot) {

@@ -6,8 +6,8 @@
 //
 // @throws files::FileError, config::ConfigError for what is wrong with the files or does not fit the design.
 
-#include "monitor/service/config.h"
 #include "monitor/service/engine_table.h"
+#include "monitor/service/monitor_config.h"
 
 namespace ehm::monitor {
 

@@ -13,8 +13,8 @@
 
 #include "idl/dds/participant.h"
 #include "monitor/reload/reloader.h"
-#include "monitor/service/config.h"
 #include "monitor/service/engine_table.h"
+#include "monitor/service/monitor_config.h"
 
 namespace ehm::monitor {
 

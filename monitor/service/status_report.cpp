@@ -8,13 +8,13 @@ StatusLevel level_of(const EngineSlot& slot) noexcept {
   namespace flag = idl::estimate_flag;
   if (slot.cycle.stale() || slot.received_ns == 0) return StatusLevel::stale;
   const CycleResult& result = slot.cycle.result();
-  if (!result.estimates || slot.cycle.sequence_stands()) return StatusLevel::error;
+  if (!result.estimates || slot.cycle.intake().sequence_stands()) return StatusLevel::error;
   const CycleCounters &now = slot.cycle.counters(), &before = slot.status_counters;
   const bool troubled = now.lost != before.lost || now.malformed != before.malformed ||
                         now.reordered != before.reordered || now.foreign != before.foreign ||
-                        slot.cycle.order_troubled() || slot.resets.raised();
+                        slot.cycle.intake().order_troubled() || slot.resets.raised();
   const bool restricted =
-      (result.flags & (flag::degraded | flag::shifted | flag::implausible)) != 0 || slot.cycle.doubted();
+      (result.flags & (flag::degraded | flag::shifted | flag::implausible)) != 0 || slot.cycle.detection().doubted();
   return troubled || restricted ? StatusLevel::warn : StatusLevel::ok;
 }
 
@@ -45,7 +45,7 @@ MonitorStatus make_status(const EngineSlot& slot, StatusLevel level, std::int64_
   s.latency_p999_us(slot.latency.percentile_us(0.999));
   s.latency_max_us(slot.latency.max_us());
   s.writes_refused(slot.writes_refused);
-  s.sensors_used(static_cast<std::uint32_t>(slot.cycle.result().sensors_used.to_ulong()));
+  s.sensors_used(static_cast<std::uint32_t>(slot.cycle.result().estimate.sensors.to_ulong()));
   s.flags(slot.cycle.result().flags);
   return s;
 }

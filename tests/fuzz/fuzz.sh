@@ -26,8 +26,7 @@ done
 command -v clang++ > /dev/null || { echo "fuzz.sh: clang++ is missing: deploy/install-deps.sh --full" >&2; exit 2; }
 
 build=${EHM_BUILD_DIR:-build}-fuzz
-cmake -G Ninja -S . -B "$build" -DEHM_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang \
-  -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -gline-tables-only" > /dev/null
+cmake --preset fuzz -S . -B "$build" > /dev/null
 ninja -C "$build" "${targets[@]/#/fuzz_}"
 build=$(cd "$build" && pwd)
 # What grows is found in BUILD/corpus; the sources keep only what is merged.

@@ -12,11 +12,10 @@ inline void require_promises(const monitor::MonitorCycle& cycle) {
   const auto& result = cycle.result();
   EHM_REQUIRE((result.fused & result.rejected).none());
   if (!result.estimates) return;
-  EHM_REQUIRE(cycle.filter().health().allFinite());
-  EHM_REQUIRE(cycle.filter().auxiliary().allFinite());
-  EHM_REQUIRE(cycle.filter().tuners().allFinite());
-  EHM_REQUIRE((cycle.error().health_sigma().array() > 0.0).all() && cycle.error().health_sigma().allFinite());
-  EHM_REQUIRE((cycle.error().auxiliary_sigma().array() > 0.0).all() && cycle.error().auxiliary_sigma().allFinite());
+  const estimation::Estimate& estimate = result.estimate;
+  EHM_REQUIRE(estimate.health.allFinite() && estimate.auxiliary.allFinite() && estimate.tuners.allFinite());
+  EHM_REQUIRE((estimate.health_sigma.array() > 0.0).all() && estimate.health_sigma.allFinite());
+  EHM_REQUIRE((estimate.auxiliary_sigma.array() > 0.0).all() && estimate.auxiliary_sigma.allFinite());
 }
 
 }  // namespace ehm::fuzz

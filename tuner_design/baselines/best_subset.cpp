@@ -9,7 +9,7 @@
 #include <string>
 
 #include "deploy/runtime/long_work/parallel_for.h"
-#include "tuner_design/math/solver_error.h"
+#include "monitor/estimation/linear/solver_error.h"
 #include "tuner_design/theory/kalman_error.h"
 #include "tuner_design/theory/kalman_gain.h"
 #include "tuner_design/theory/map_estimator.h"
@@ -37,7 +37,7 @@ std::optional<design::SubsetDesign> filter_on_tuners(const linear_model::LinearM
     design::SubsetDesign filter = kalman_gain(model, all_sensors(model), V, qh_percent2);
     add_error_theory(filter, model, steady);
     return filter;
-  } catch (const SolverError&) {  // told apart so badly that the solvers lose their digits
+  } catch (const estimation::SolverError&) {  // told apart so badly that the solvers lose their digits
     return std::nullopt;
   }
 }

@@ -7,9 +7,9 @@
 
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "monitor/design/detectability.h"
+#include "monitor/estimation/linear/solver_error.h"
 #include "tuner_design/design/choose_tuners.h"
 #include "tuner_design/design/tuner_number.h"
-#include "tuner_design/math/solver_error.h"
 #include "tuner_design/search/row_space.h"
 #include "tuner_design/theory/bayes_limit.h"
 #include "tuner_design/theory/kalman_error.h"
@@ -111,7 +111,7 @@ std::optional<Candidate> best_number_of_tuners(const Envelope& envelope, const s
       if (!best || candidate.objective < best->objective) best = candidate;
       if (candidate.within_prior && (!best_within || candidate.objective < best_within->objective))
         best_within = candidate;
-    } catch (const SolverError&) {
+    } catch (const estimation::SolverError&) {
       // no filter on so many tuners: fewer may have one
     }
   }
@@ -249,7 +249,7 @@ std::optional<SubsetDesign> closed_form_filter(const PreparedPoint& point, const
     Candidate full = design_full({{point}, {1.0}}, seeing, options, 0, 1);
     if (!full.within_prior) return std::nullopt;
     return std::move(full.filters.front());
-  } catch (const SolverError&) {  // the sensors tell so many tuners apart too badly
+  } catch (const estimation::SolverError&) {  // the sensors tell so many tuners apart too badly
     return std::nullopt;
   }
 }

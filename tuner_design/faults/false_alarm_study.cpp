@@ -58,7 +58,7 @@ class LinearFleet {
       : prepared_(std::make_shared<const design::Design>(design)),
         motion_(discretise(design.model), process_noise),
         H_(estimation::steady_gain(design.model).H),
-        settle_samples_(samples(7.0 * design.full.slowest_time_constant_s + wait_s)),
+        settle_samples_(samples(design.full.settling_s() + wait_s)),
         counted_samples_(samples(flight_s)) {}
 
   Tally fly(RandomStream random) const {

@@ -40,7 +40,7 @@ double fan_speed_trim(const linear_model::LinearModel& model) {
 }
 
 double settled_after_s(const design::Design& design) {
-  return 7.0 * design.full.slowest_time_constant_s + wait_s;
+  return design.full.settling_s() + wait_s;
 }
 
 /// The flight of one engine of the fleet; what breaks is still to be added.
@@ -144,12 +144,13 @@ FaultOutcome fly(const monitor::PreparedDesign& study, const engine_sim::Scenari
       convert(flight->next(), sample);
       cycle.process(sample);
       const double since_onset_s = 1e-9 * static_cast<double>(sample.source_time_ns) - onset_s;
-      if (const int now = cycle.filter().sensor_set().missing(); now != set) {
+      if (const int now = cycle.watch().filter().sensor_set().missing(); now != set) {
         set = now;
-        const auto step = (cycle.filter().health() - before).cwiseAbs().cwiseQuotient(cycle.error().health_sigma());
+        const auto step =
+            (cycle.watch().filter().health() - before).cwiseAbs().cwiseQuotient(cycle.watch().error().health_sigma());
         outcome.largest_step_sigmas = std::max(outcome.largest_step_sigmas, step.maxCoeff());
       }
-      before = cycle.filter().health();
+      before = cycle.watch().filter().health();
       if (since_onset_s < 0.0 && !cycle.result().estimates) return {};
       for (const monitor::Event& event : cycle.events()) note(event, since_onset_s, broken, outcome);
       cycle.clear_events();

@@ -1,13 +1,7 @@
 #pragma once
-// Gain and fleet error of the full-order Gauss-Markov filter (monitor/estimation/gauss_markov_filter.h):
-//
-//   A = [A L; 0 rho I],  C = [C M],  Q = blkdiag(Q, (1 - rho^2) Ph);   P from the Riccati equation, K = P C^T (..)^-1
-//
-// It is a filter on the p "tuners" q = h, V = W = I, whose integrators leak; so its error over a fleet of constant h is
-// that of kalman_error.h, with this A. Rows and columns: [x; h], n + p; scaled units.
-// Its response: what the sensors do not see, null(H_rho) with H_rho = C (rho I - A)^-1 L + M, forgets with rho, which
-// the sensors neither cause nor cure; the slowest time constant is that of all the rest, of Acl on the complement of
-// [ (rho I - A)^-1 L; I ] null(H_rho).
+// The full-order Gauss-Markov filter as the bench compares it: its gain is that which flies
+// (monitor/design/gauss_markov_design.h), and its error over a fleet of constant h that of kalman_error.h, with its A.
+// Scaled units.
 
 #include "monitor/design/design.h"
 #include "monitor/estimation/gauss_markov_filter.h"

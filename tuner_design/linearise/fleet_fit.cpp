@@ -12,12 +12,6 @@ namespace {
 
 constexpr double disturbance = 0.003;  ///< of size: far above round-off, small against the fleet's spread
 
-Eigen::VectorXd trims(const std::vector<linear_model::Channel>& channels) {
-  Eigen::VectorXd trim(static_cast<Eigen::Index>(channels.size()));
-  for (std::size_t i = 0; i < channels.size(); ++i) trim(static_cast<Eigen::Index>(i)) = channels[i].trim;
-  return trim;
-}
-
 /// Derivatives by states and controls, averaged over the fleet: central differences, one-sided for the bleed valves,
 /// which only open.
 Eigen::MatrixXd mean_slopes(const engine_sim::Turbofan& turbofan, const engine_sim::SteadyPoint& trim,
@@ -97,12 +91,13 @@ FleetFit fit_fleet(const engine_sim::Turbofan& turbofan, const engine_sim::Stead
 
 Eigen::MatrixXd linearisation_error(const linear_model::LinearModel& model, const Fleet& fleet) {
   Eigen::VectorXd trim(engine_sensors + engine_auxiliary);
-  trim << trims(model.sensors), trims(model.auxiliary);
+  trim << linear_model::trims(model.sensors), linear_model::trims(model.auxiliary);
   const auto balance = model.A.partialPivLu();
   Eigen::MatrixXd moment = Eigen::MatrixXd::Zero(trim.size(), trim.size());
   for (Eigen::Index k = 0; k < fleet.inputs.cols(); ++k) {
-    const Eigen::VectorXd u = fleet.inputs.col(k).segment(fleet.layout.fuel(), engine_controls) - trims(model.controls);
-    const Eigen::VectorXd h = fleet.inputs.col(k).tail(engine_health) - trims(model.health);
+    const Eigen::VectorXd u =
+        fleet.inputs.col(k).segment(fleet.layout.fuel(), engine_controls) - linear_model::trims(model.controls);
+    const Eigen::VectorXd h = fleet.inputs.col(k).tail(engine_health) - linear_model::trims(model.health);
     const Eigen::VectorXd x = -balance.solve(model.B * u + model.L * h);
     Eigen::VectorXd linear(trim.size());
     linear << model.C * x + model.D * u + model.M * h, model.F * x + model.G * u + model.N * h;

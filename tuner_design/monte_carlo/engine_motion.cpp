@@ -1,7 +1,7 @@
 #include "tuner_design/monte_carlo/engine_motion.h"
 
 #include "engine_sim/linear_model/stationary_covariance.h"
-#include "monitor/estimation/matrix_vector_product.h"
+#include "monitor/estimation/linear/matrix_vector_product.h"
 
 namespace ehm::tuner_design {
 

@@ -6,8 +6,8 @@
 
 #include "engine_sim/linear_model/discretise.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
+#include "monitor/estimation/linear/lyapunov.h"
 #include "monitor/estimation/steady_gain.h"
-#include "tuner_design/math/lyapunov.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -124,7 +124,7 @@ WindowError finite_window_error(const design::Design& design, const Window& wind
 ErrorByChannel settled_error(const design::Design& design, bool process_noise) {
   if (process_noise) return design.ssee;
   const Loop loop = loop_of(design, false);
-  const Eigen::MatrixXd spread = solve_discrete_lyapunov(loop.closed_loop, loop.noise);
+  const Eigen::MatrixXd spread = estimation::solve_discrete_lyapunov(loop.closed_loop, loop.noise);
   const auto without = [&](const Eigen::VectorXd& with, const Eigen::MatrixXd& noise, const Output& output) {
     return Eigen::VectorXd(with - noise.diagonal() + variances(output.of_estimate, spread));
   };

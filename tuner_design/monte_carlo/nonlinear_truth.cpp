@@ -31,12 +31,6 @@ std::vector<Eigen::Index> positions(const std::vector<Channel>& wanted, const st
   return result;
 }
 
-Eigen::VectorXd trims(const std::vector<Channel>& channels) {
-  Eigen::VectorXd trim(static_cast<Eigen::Index>(channels.size()));
-  for (std::size_t i = 0; i < channels.size(); ++i) trim(static_cast<Eigen::Index>(i)) = channels[i].trim;
-  return trim;
-}
-
 /// The turbofan at the design's flight condition and controls.
 class Fleet {
  public:
@@ -52,8 +46,8 @@ class Fleet {
     auxiliary_ = positions(model.auxiliary, known.auxiliary, "auxiliary output");
     health_ = positions(model.health, known.health, "health parameter");
     controls_ = positions(model.controls, known.controls, "control");
-    sensor_trim_ = trims(model.sensors), auxiliary_trim_ = trims(model.auxiliary);
-    health_trim_ = trims(model.health), control_trim_ = trims(model.controls);
+    sensor_trim_ = linear_model::trims(model.sensors), auxiliary_trim_ = linear_model::trims(model.auxiliary);
+    health_trim_ = linear_model::trims(model.health), control_trim_ = linear_model::trims(model.controls);
     set_trim(model);
     demand_ = demand_of(model, hold);
     new_engine_ = engine_sim::solve_steady(turbofan_, operation_, demand_);

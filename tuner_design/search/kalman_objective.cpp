@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "tuner_design/math/doubling.h"
-#include "tuner_design/math/small_product.h"
+#include "monitor/estimation/linear/doubling.h"
+#include "monitor/estimation/linear/small_product.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -53,7 +53,7 @@ void augment(const PointProblem& point, const HealthByTuner& W, Forward& f) {
   f.weighted_T.resize(p + r, n + t);
   f.weighted_T.topRows(p) = point.health_weight * f.T.topRows(p);
   f.weighted_T.bottomRows(r) = point.auxiliary_weight.asDiagonal() * f.T.bottomRows(r);
-  multiply(f.output_weight, f.T.transpose(), f.weighted_T);
+  estimation::multiply(f.output_weight, f.T.transpose(), f.weighted_T);
 }
 
 /// P, K and Acl. @returns false if there is none.
@@ -61,46 +61,46 @@ bool close_loop(const PointProblem& point, double qh, Forward& f) {
   const Eigen::Index n = point.A.rows(), size = f.A.rows();
   SensorByState weighted = point.sensor_variance.cwiseInverse().asDiagonal() * f.C;
   StateMatrix information;
-  multiply(information, f.C.transpose(), weighted);
+  estimation::multiply(information, f.C.transpose(), weighted);
   f.P.setZero(size, size);
   f.P.topLeftCorner(n, n) = point.process_noise;
   f.P.diagonal().tail(size - n).setConstant(qh);
-  if (!doubling::solve_riccati(f.A, information, f.P)) return false;
+  if (!estimation::doubling::solve_riccati(f.A, information, f.P)) return false;
 
   SensorByState CP;
-  multiply(CP, f.C, f.P);
+  estimation::multiply(CP, f.C, f.P);
   SensorMatrix S;
-  multiply(S, CP, f.C.transpose());
+  estimation::multiply(S, CP, f.C.transpose());
   S.diagonal() += point.sensor_variance;
   f.innovation.compute(S);
   if (f.innovation.info() != Eigen::Success) return false;
   f.K = f.innovation.solve(CP).transpose();
-  multiply(f.I_KC, f.K, f.C);
+  estimation::multiply(f.I_KC, f.K, f.C);
   f.I_KC *= -1.0;
   f.I_KC.diagonal().array() += 1.0;
-  multiply(f.closed_loop, f.I_KC, f.A);
+  estimation::multiply(f.closed_loop, f.I_KC, f.A);
   return true;
 }
 
 /// X, Z and J.
-double error(const PointProblem& point, const doubling::Powers<StateMatrix>& powers, Forward& f) {
+double error(const PointProblem& point, const estimation::doubling::Powers<StateMatrix>& powers, Forward& f) {
   const Eigen::Index p = point.Gh.rows(), r = point.Gz.rows();
   StateMatrix difference = -f.closed_loop;
   difference.diagonal().array() += 1.0;
   f.one_minus_closed_loop.compute(difference);
   StateByUnknown drive;
-  multiply(drive, f.K, point.Gy);
+  estimation::multiply(drive, f.K, point.Gy);
   f.mean = f.one_minus_closed_loop.solve(drive);
 
   const StateBySensor weighted_K = f.K * point.sensor_variance.asDiagonal();
-  multiply(f.noise, weighted_K, f.K.transpose());
+  estimation::multiply(f.noise, weighted_K, f.K.transpose());
   const Eigen::Index n = point.A.rows();
   f.driven.noalias() = f.I_KC.leftCols(n).lazyProduct(point.process_noise);
   f.noise.noalias() += f.driven.lazyProduct(f.I_KC.leftCols(n).transpose());
   powers.solve(f.noise);
 
   OutputByUnknown miss;
-  multiply(miss, f.T, f.mean);
+  estimation::multiply(miss, f.T, f.mean);
   miss.topRows(p) -= point.Gh;
   miss.bottomRows(r) -= point.Gz;
   f.weighted_miss.resize(p + r, miss.cols());
@@ -110,11 +110,12 @@ double error(const PointProblem& point, const doubling::Powers<StateMatrix>& pow
 }
 
 /// dJ/dW from the forward pass.
-HealthByTuner backward(const PointProblem& point, const doubling::Powers<StateMatrix>& powers, const Forward& f) {
+HealthByTuner backward(const PointProblem& point, const estimation::doubling::Powers<StateMatrix>& powers,
+                       const Forward& f) {
   const Eigen::Index n = point.A.rows(), t = f.A.rows() - n, p = point.Gh.rows(), r = point.Gz.rows();
   // U = (I - Acl)^-T 2 T^T Omega D and Y = Acl^T Y Acl + T^T Omega T
   StateByUnknown drive;
-  multiply(drive, f.T.transpose(), f.weighted_miss);
+  estimation::multiply(drive, f.T.transpose(), f.weighted_miss);
   drive *= 2.0;
   const StateByUnknown U = f.one_minus_closed_loop.transpose().solve(drive);
   StateMatrix Y = f.output_weight;
@@ -122,59 +123,59 @@ HealthByTuner backward(const PointProblem& point, const doubling::Powers<StateMa
 
   // Aclb = U X^T + 2 Y Acl Z
   StateMatrix closed_loop_bar, left;
-  multiply(left, Y, f.closed_loop);
-  multiply(closed_loop_bar, left, f.noise);
+  estimation::multiply(left, Y, f.closed_loop);
+  estimation::multiply(closed_loop_bar, left, f.noise);
   closed_loop_bar *= 2.0;
   closed_loop_bar.noalias() += U.lazyProduct(f.mean.transpose());
 
   // Kb = U Gy^T + 2 Y K R - B C^T,   B = Aclb A^T + 2 Y (I - K C) Qw
   StateBySensor K_bar, more;
-  multiply(K_bar, Y, f.K);
+  estimation::multiply(K_bar, Y, f.K);
   K_bar = (2.0 * K_bar * point.sensor_variance.asDiagonal()).eval();
   K_bar.noalias() += U.lazyProduct(point.Gy.transpose());
   StateMatrix passed;  // B
-  multiply(passed, closed_loop_bar, f.A.transpose());
+  estimation::multiply(passed, closed_loop_bar, f.A.transpose());
   passed.leftCols(n) += 2.0 * Y.lazyProduct(f.driven);
   K_bar.noalias() -= passed.lazyProduct(f.C.transpose());
 
   // Kb S^-1, and what it leaves on P and C
   more = f.innovation.solve(K_bar.transpose()).transpose();
   StateBySensor through;  // (I - K C)^T Kb S^-1
-  multiply(through, f.I_KC.transpose(), more);
+  estimation::multiply(through, f.I_KC.transpose(), more);
   StateMatrix P_bar;
-  multiply(P_bar, through, f.C);
-  doubling::symmetrise(P_bar);
+  estimation::multiply(P_bar, through, f.C);
+  estimation::doubling::symmetrise(P_bar);
   SensorMatrix Z;  // (Kb S^-1)^T K
-  multiply(Z, more.transpose(), f.K);
+  estimation::multiply(Z, more.transpose(), f.K);
   SensorByState CP, C_bar;
-  multiply(CP, f.C, f.P);
-  multiply(C_bar, more.transpose(), f.P);
+  estimation::multiply(CP, f.C, f.P);
+  estimation::multiply(C_bar, more.transpose(), f.P);
   C_bar.noalias() -= Z.lazyProduct(CP);
   C_bar.noalias() -= Z.transpose().lazyProduct(CP);
   C_bar.noalias() -= f.K.transpose().lazyProduct(passed);
 
   // Phi = A'^T Phi A' + Pb through Phi' on the powers of Acl
   StateMatrix phi, inner;
-  multiply(left, P_bar, f.A);
-  multiply(inner, f.A.transpose(), left);
+  estimation::multiply(left, P_bar, f.A);
+  estimation::multiply(inner, f.A.transpose(), left);
   powers.solve_transposed(inner);
-  multiply(left, inner, f.I_KC);
-  multiply(phi, f.I_KC.transpose(), left);
+  estimation::multiply(left, inner, f.I_KC);
+  estimation::multiply(phi, f.I_KC.transpose(), left);
   phi += P_bar;
 
   // Axqb = (I - K C)^T Aclb + 2 Phi A P+,   Cxqb += -2 K^T A^T Phi A P+,   P+ = (I - K C) P
   StateMatrix updated, phi_A, A_bar;
-  multiply(updated, f.I_KC, f.P);
-  multiply(left, phi, f.A);
-  multiply(phi_A, left, updated);
-  multiply(A_bar, f.I_KC.transpose(), closed_loop_bar);
+  estimation::multiply(updated, f.I_KC, f.P);
+  estimation::multiply(left, phi, f.A);
+  estimation::multiply(phi_A, left, updated);
+  estimation::multiply(A_bar, f.I_KC.transpose(), closed_loop_bar);
   A_bar += 2.0 * phi_A;
-  multiply(left, f.A.transpose(), phi_A);
+  estimation::multiply(left, f.A.transpose(), phi_A);
   C_bar.noalias() -= 2.0 * f.K.transpose().lazyProduct(left);
 
   // Tb = 2 Omega D X^T + 2 Omega T Z
   OutputByState T_bar;
-  multiply(T_bar, f.weighted_miss, f.mean.transpose());
+  estimation::multiply(T_bar, f.weighted_miss, f.mean.transpose());
   T_bar.noalias() += f.weighted_T.lazyProduct(f.noise);
   T_bar *= 2.0;
 
@@ -193,14 +194,14 @@ std::optional<double> kalman_objective(const PointProblem& point, const Eigen::M
   Forward f;
   augment(point, W, f);
   if (!close_loop(point, qh_percent2, f)) return std::nullopt;
-  const doubling::Powers<StateMatrix> powers(f.closed_loop);
+  const estimation::doubling::Powers<StateMatrix> powers(f.closed_loop);
   if (!powers.converged()) return std::nullopt;
   const double value = error(point, powers, f);
   if (gradient != nullptr) {
     HealthByTuner W_bar = backward(point, powers, f);
     // What lies in the row space changes nothing: W_bar <- (I - W W^T) W_bar
     BoundedMatrix<estimation::max_tuners, estimation::max_tuners> inside;
-    multiply(inside, W.transpose(), W_bar);
+    estimation::multiply(inside, W.transpose(), W_bar);
     W_bar.noalias() -= W.lazyProduct(inside);
     *gradient = W_bar.transpose();
   }

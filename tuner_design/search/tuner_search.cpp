@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "deploy/runtime/long_work/parallel_for.h"
-#include "tuner_design/math/solver_error.h"
+#include "monitor/estimation/linear/solver_error.h"
 #include "tuner_design/search/blind_tuner.h"
 #include "tuner_design/search/kalman_objective.h"
 #include "tuner_design/search/map_objective.h"
@@ -206,7 +206,7 @@ SearchResult search_tuners(const SearchProblem& problem, const SearchOptions& op
 
   double least = no_filter;
   for (const Ended& end : ends) least = std::min(least, end.start.last);
-  if (!(least < no_filter)) throw SolverError("search: no start has a stable filter");
+  if (!(least < no_filter)) throw estimation::SolverError("search: no start has a stable filter");
   // Of ends that differ by rounding only the first start's counts.
   const auto best = std::find_if(ends.begin(), ends.end(),
                                  [&](const Ended& end) { return end.start.last <= least * (1.0 + same_end); });

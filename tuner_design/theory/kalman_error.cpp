@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "tuner_design/math/lyapunov.h"
-#include "tuner_design/math/solver_error.h"
+#include "monitor/estimation/linear/lyapunov.h"
+#include "monitor/estimation/linear/solver_error.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -34,14 +34,14 @@ ClosedLoop closed_loop(const design::SubsetDesign& design, const LinearModel& mo
   const Eigen::MatrixXd KRK = design.K * sigma.cwiseAbs2().asDiagonal() * design.K.transpose();
   const Eigen::MatrixXd KH = design.K * H;
   ClosedLoop loop;
-  loop.radius = spectral_radius(Acl);
+  loop.radius = estimation::spectral_radius(Acl);
   loop.mean = (identity - Acl).partialPivLu().solve(KH);
   const double residual = ((identity - Acl) * loop.mean - KH).norm();
   if (!(residual <= 1e-9 * (loop.mean.norm() + KH.norm()))) {
-    throw SolverError("mean of the filter, (I - Acl) X = Kinf H: residual " + std::to_string(residual));
+    throw estimation::SolverError("mean of the filter, (I - Acl) X = Kinf H: residual " + std::to_string(residual));
   }
   loop.offset = (identity - Acl).partialPivLu().solve(design.K);
-  loop.noise = solve_discrete_lyapunov(Acl, KRK + process_noise_of(I_KC, model.process_noise));
+  loop.noise = estimation::solve_discrete_lyapunov(Acl, KRK + process_noise_of(I_KC, model.process_noise));
   loop.updated = I_KC * design.P * I_KC.transpose() + KRK;
   return loop;
 }
@@ -72,8 +72,8 @@ Eigen::MatrixXd linearisation_covariance(const Eigen::MatrixXd& T, const ClosedL
 
 void require_variances(const Eigen::MatrixXd& covariance, const char* name) {
   if (covariance.size() == 0 || covariance.diagonal().minCoeff() >= 0.0) return;
-  throw SolverError(std::string(name) + " has the negative variance " +
-                    std::to_string(covariance.diagonal().minCoeff()));
+  throw estimation::SolverError(std::string(name) + " has the negative variance " +
+                                std::to_string(covariance.diagonal().minCoeff()));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "tuner_design/math/riccati.h"
+#include "monitor/estimation/linear/riccati.h"
 #include "tuner_design/theory/map_estimator.h"
 
 namespace ehm::tuner_design {
@@ -27,7 +27,7 @@ design::SubsetDesign kalman_gain(const linear_model::LinearModel& model, const s
   Q.bottomRightCorner(t, t) = qh_percent2 * V * V.transpose();
   const Eigen::MatrixXd C = design.C(sensors, Eigen::all);
   const Eigen::MatrixXd R = model.sensor_noise_sigma(sensors).cwiseAbs2().asDiagonal();
-  design.P = solve_filter_riccati(design.A, C, Q, R);
+  design.P = estimation::solve_filter_riccati(design.A, C, Q, R);
 
   // Kinf^T = (C P C^T + R)^-1 C P
   const Eigen::MatrixXd CP = C * design.P;

@@ -1,7 +1,9 @@
 #include "deploy/runtime/config/schema.h"
 
+#include <toml++/toml.h>
 #include <unistd.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <cassert>
 #include <cctype>

@@ -6,22 +6,22 @@
 //
 // @throws ConfigError with origin (file and line, variable or flag), key, value, allowed range.
 
-#include <toml++/toml.h>
-#include <CLI/App.hpp>
+#include <toml++/impl/forward_declarations.h>
+
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
-namespace ehm::config {
+#include "deploy/runtime/config/config_error.h"
 
-class ConfigError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace CLI {
+class App;
+}
+
+namespace ehm::config {
 
 class Schema {
  public:

@@ -85,15 +85,28 @@ std::string read_all(const std::string& path, const InputKind& kind) {
   }
 }
 
+/// What a file has come to: its content, or why there is none. No exception passes between the threads.
+struct Outcome {
+  std::string content, defect;
+};
+
 /// On a thread of its own, which is left behind where the file does not answer. It holds all that it needs.
 std::string within_patience(const std::string& path, std::function<std::string()> work) {
-  std::packaged_task<std::string()> task(std::move(work));
-  std::future<std::string> result = task.get_future();
+  std::packaged_task<Outcome()> task([work = std::move(work)]() -> Outcome {
+    try {
+      return {work(), {}};
+    } catch (const std::exception& e) {
+      return {{}, e.what()};
+    }
+  });
+  std::future<Outcome> result = task.get_future();
   std::thread(std::move(task)).detach();
   if (result.wait_for(patience) != std::future_status::ready)
     throw FileError(path + ": does not answer for " + std::to_string(patience.count()) +
                     " s. Is it on a mount that hangs?");
-  return result.get();
+  Outcome outcome = result.get();
+  if (!outcome.defect.empty()) throw FileError(outcome.defect);
+  return std::move(outcome.content);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace ehm::recording {
 
 inline constexpr std::size_t flight_channels = 3;  ///< altitude_m, mach, delta_isa_k
 inline constexpr std::size_t max_actuators = 8, max_sensors = 16, max_health = 16, max_auxiliary = 8;
+inline constexpr int max_shadows = 3;  ///< estimators beside the published one
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 enum class RowKind : std::int64_t {
@@ -22,7 +23,8 @@ enum class RowKind : std::int64_t {
   reset = 2,           ///< an operator restarted the filter
   resumed = 3,         ///< the filter did not start cold, but from a checkpoint or by a reload
   described_anew = 4,  ///< the source described its channels otherwise: the filter restarted
-  left = 5             ///< silent for so long that its filter was given back
+  left = 5,            ///< silent for so long that its filter was given back
+  shadow = 16          ///< what another estimator made of the sample before it; 17, 18: the second and third
 };
 
 /// Table A: all whole numbers, in the order of its columns (layout.h names them). Unsigned values of the wire keep
@@ -72,6 +74,11 @@ struct Row {
   std::array<double, max_health> t_sigma_filter = no_values<max_health>();
 
   RowKind kind() const noexcept { return static_cast<RowKind>(a.kind); }
+  /// Of which of the file's shadow estimators (FileInfo), -1: of none.
+  int shadow() const noexcept {
+    const std::int64_t number = a.kind - static_cast<std::int64_t>(RowKind::shadow);
+    return number >= 0 && number < max_shadows ? static_cast<int>(number) : -1;
+  }
 };
 
 }  // namespace ehm::recording

@@ -1,7 +1,7 @@
 #pragma once
 // SIGINT and SIGTERM as a flag that loops poll and sleeps are interrupted by.
 
-#include <csignal>
+#include "deploy/runtime/service/signal_flag.h"
 
 namespace ehm::service {
 
@@ -9,19 +9,13 @@ class StopSignal {
  public:
   /// Installs the handlers; without SA_RESTART, so that a blocking sleep returns at once.
   StopSignal() {
-    struct sigaction action {};
-    action.sa_handler = [](int) { requested_flag() = 1; };
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    Flag::raise_on(SIGINT, 0);
+    Flag::raise_on(SIGTERM, 0);
   }
-  bool requested() const { return requested_flag() != 0; }
+  bool requested() const noexcept { return Flag::raised(); }
 
  private:
-  static volatile std::sig_atomic_t& requested_flag() {
-    static volatile std::sig_atomic_t flag = 0;
-    return flag;
-  }
+  using Flag = SignalFlag<StopSignal>;
 };
 
 }  // namespace ehm::service

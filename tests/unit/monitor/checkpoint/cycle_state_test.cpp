@@ -40,7 +40,8 @@ class CycleStateTest : public testing::Test {
   }
   void expect_successor_within_one_sigma() {
     for (Eigen::Index i = 0; i < 10; ++i)
-      EXPECT_LT(std::abs(second_.filter().health()(i) - first_.filter().health()(i)), first_.error().health_sigma()(i))
+      EXPECT_LT(std::abs(second_.watch().filter().health()(i) - first_.watch().filter().health()(i)),
+                first_.watch().error().health_sigma()(i))
           << i;
   }
 
@@ -61,9 +62,9 @@ TEST_F(CycleStateTest, TheNextSampleGivesTheSameBits) {
       }
       first_.process(next);
       successor.process(next);
-      EXPECT_EQ(successor.filter().health(), first_.filter().health());
-      EXPECT_EQ(successor.filter().auxiliary(), first_.filter().auxiliary());
-      EXPECT_EQ(successor.error().health_sigma(), first_.error().health_sigma());
+      EXPECT_EQ(successor.watch().filter().health(), first_.watch().filter().health());
+      EXPECT_EQ(successor.watch().filter().auxiliary(), first_.watch().filter().auxiliary());
+      EXPECT_EQ(successor.watch().error().health_sigma(), first_.watch().error().health_sigma());
       EXPECT_EQ(successor.result().flags, first_.result().flags);
     }
   }
@@ -89,8 +90,8 @@ TEST_F(CycleStateTest, AColdStartIsNotThere) {  // the negative of the test abov
   EXPECT_TRUE(second_.result().flags & flag::converging);
   double worst = 0.0;
   for (Eigen::Index i = 0; i < 10; ++i)
-    worst = std::max(
-        worst, std::abs(second_.filter().health()(i) - first_.filter().health()(i)) / first_.error().health_sigma()(i));
+    worst = std::max(worst, std::abs(second_.watch().filter().health()(i) - first_.watch().filter().health()(i)) /
+                                first_.watch().error().health_sigma()(i));
   EXPECT_GT(worst, 1.0);
 }
 
@@ -102,7 +103,8 @@ TEST_F(CycleStateTest, ConvergingGoesOnConverging) {
   second_.process(next);
   EXPECT_TRUE(second_.result().flags & flag::converging);
   for (Eigen::Index i = 0; i < 10; ++i)
-    EXPECT_GT(second_.error().health_sigma()(i), 0.999 * first_.error().health_sigma()(i)) << i;  // never more certain
+    EXPECT_GT(second_.watch().error().health_sigma()(i), 0.999 * first_.watch().error().health_sigma()(i))
+        << i;  // never more certain
 }
 
 TEST_F(CycleStateTest, AFaultySensorStaysOut) {
@@ -113,7 +115,7 @@ TEST_F(CycleStateTest, AFaultySensorStaysOut) {
   const Sample next = fly(1, true);
   ASSERT_EQ(second_.resume(state, next, max_gap_s), Resumption::taken);
   second_.process(next);
-  EXPECT_EQ(second_.filter().sensor_set().missing(), 2);
+  EXPECT_EQ(second_.watch().filter().sensor_set().missing(), 2);
   EXPECT_TRUE(second_.result().flags & flag::degraded);
   ASSERT_EQ(second_.events().size(), 1u);
   EXPECT_EQ(second_.events().begin()->kind, idl::EventKind::sensor_fault);
@@ -140,7 +142,8 @@ TEST_F(CycleStateTest, OnlyASampleThatContinuesTheStreamResumes) {
   Sample extreme = next;
   extreme.source_time_ns = std::numeric_limits<std::int64_t>::min();
   EXPECT_EQ(second_.resume(state, extreme, max_gap_s), Resumption::not_later);
-  EXPECT_EQ(second_.filter().health(), MonitorCycle(design_, CycleOptions{}).filter().health());  // untouched
+  EXPECT_EQ(second_.watch().filter().health(),
+            MonitorCycle(design_, CycleOptions{}).watch().filter().health());  // untouched
 }
 
 TEST_F(CycleStateTest, WithoutStampsTheSequenceTellsTheGap) {

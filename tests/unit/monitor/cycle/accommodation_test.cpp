@@ -27,19 +27,21 @@ class Accommodation : public testing::Test {
     for (int k = 0; k < samples; ++k) {
       Sample s = flight_->next();
       s.sensor[static_cast<std::size_t>(sensor)] += sigmas * design_->model.sensor_noise_sigma(sensor);
-      const auto before = cycle_.filter().sensor_set();
-      const estimation::HealthVector health = cycle_.filter().health();
-      const estimation::AuxiliaryVector auxiliary = cycle_.filter().auxiliary();
+      const auto before = cycle_.watch().filter().sensor_set();
+      const estimation::HealthVector health = cycle_.watch().filter().health();
+      const estimation::AuxiliaryVector auxiliary = cycle_.watch().filter().auxiliary();
       cycle_.process(s);
       cycle_.clear_events();
-      if (cycle_.filter().sensor_set() == before) continue;
-      const auto& error = cycle_.error();
+      if (cycle_.watch().filter().sensor_set() == before) continue;
+      const auto& error = cycle_.watch().error();
       step_ = std::max(
-          {step_, ((cycle_.filter().health() - health).cwiseAbs().cwiseQuotient(error.health_sigma())).maxCoeff(),
-           ((cycle_.filter().auxiliary() - auxiliary).cwiseAbs().cwiseQuotient(error.auxiliary_sigma())).maxCoeff()});
+          {step_,
+           ((cycle_.watch().filter().health() - health).cwiseAbs().cwiseQuotient(error.health_sigma())).maxCoeff(),
+           ((cycle_.watch().filter().auxiliary() - auxiliary).cwiseAbs().cwiseQuotient(error.auxiliary_sigma()))
+               .maxCoeff()});
     }
   }
-  bool used(int sensor) const { return cycle_.result().sensors_used[static_cast<std::size_t>(sensor)]; }
+  bool used(int sensor) const { return cycle_.result().estimate.sensors[static_cast<std::size_t>(sensor)]; }
 
   std::shared_ptr<const design::Design> design_;
   MonitorCycle cycle_;
@@ -64,14 +66,16 @@ TEST_F(Accommodation, EverySensorAndSizeLeavesAndReturnsWithoutAStep) {
   }
   EXPECT_GE(declared, 22);  // of 28; the made-up engine sees some biases of 4 and 5 sigma less well
   for (Eigen::Index i = 0; i < 10; ++i)
-    EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), 3.0 * cycle_.error().health_sigma()(i));
+    EXPECT_LT(std::abs(cycle_.watch().filter().health()(i) - flight_->health()(i)),
+              3.0 * cycle_.watch().error().health_sigma()(i));
 }
 
 TEST_F(Accommodation, ABiasedSensorStaysOutForTenMinutesAndTheEstimateWithinItsSigma) {
   fly(40'000, 1, 5.0);
   EXPECT_FALSE(used(1));
   for (Eigen::Index i = 0; i < 10; ++i)
-    EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), 3.0 * cycle_.error().health_sigma()(i));
+    EXPECT_LT(std::abs(cycle_.watch().filter().health()(i) - flight_->health()(i)),
+              3.0 * cycle_.watch().error().health_sigma()(i));
 }
 
 /// A fleet so little worn that drifts stand out.
@@ -98,7 +102,8 @@ TEST_F(TightFleet, ADriftThatEndsIsNoNewFaultAndTheEstimateFollowsAtOnce) {
     fly(300, sensor, 0.0);
     EXPECT_TRUE(used(sensor)) << sensor;
     for (Eigen::Index i = 0; i < 10; ++i)
-      EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), 3.0 * cycle_.error().health_sigma()(i))
+      EXPECT_LT(std::abs(cycle_.watch().filter().health()(i) - flight_->health()(i)),
+                3.0 * cycle_.watch().error().health_sigma()(i))
           << sensor << ' ' << i;
     fly(1000, sensor, 0.0);
     fly(200, sensor, 10.0);  // and a new fault is one

@@ -99,7 +99,7 @@ TEST(Allocation, NoneWhenACycleBecomesAsItWas) {
     used.process(sample);
     fresh.process(sample);
   }
-  EXPECT_EQ(used.filter().health(), fresh.filter().health());
+  EXPECT_EQ(used.watch().filter().health(), fresh.watch().filter().health());
   EXPECT_EQ(used.counters().received, 200u);
 }
 

@@ -54,7 +54,8 @@ void expect_agreement_with_a_fleet(const std::shared_ptr<const design::Design>& 
     for (std::size_t checkpoint = 0, k = 0; checkpoint < samples.size(); ++checkpoint) {
       for (; k < static_cast<std::size_t>(samples[checkpoint]); ++k) cycle.process(flight.next());
       ratio[checkpoint] +=
-          ((cycle.filter().health() - flight.health()).array() / cycle.error().health_sigma().array()).square();
+          ((cycle.watch().filter().health() - flight.health()).array() / cycle.watch().error().health_sigma().array())
+              .square();
     }
   }
   // A chi-square with 800 degrees of freedom over 800 has standard deviation sqrt(2/800) = 0.05.
@@ -97,7 +98,7 @@ TEST(ErrorPropagation, TheDetectorsDivideByTheVarianceOfInnovationsUnderProcessN
   test::Flight flight(design->model, Eigen::VectorXd::Zero(10), 17);
   flight.start_moving();
   monitor::MonitorCycle cycle(prepared, monitor::CycleOptions{});
-  while (!cycle.error().settled()) cycle.process(flight.next());
+  while (!cycle.watch().error().settled()) cycle.process(flight.next());
   constexpr int samples = 40000;
   Eigen::VectorXd square = Eigen::VectorXd::Zero(7);
   for (int k = 0; k < samples; ++k) {

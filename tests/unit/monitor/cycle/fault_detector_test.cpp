@@ -144,7 +144,7 @@ TEST(FaultSignatures, AnswerTheFilterAsFlown) {
     s.sensor[2] += 3.0 * design->model.sensor_noise_sigma(2);
     cycle.process(s);
     const Eigen::VectorXd expected = 3.0 * tables->full.state.col(age * 7 + 2);
-    EXPECT_TRUE(cycle.filter().estimate().isApprox(expected, 1e-6)) << age;
+    EXPECT_TRUE(cycle.watch().filter().estimate().isApprox(expected, 1e-6)) << age;
     ring.step(cycle.result().innovation.cwiseQuotient(design->scaling.sensor), estimation::SensorMask(0x7f), 1);
     EXPECT_NEAR(ring.best(2).size, 3.0, 1e-6);
     EXPECT_NEAR(ring.best(2).ratio, 9.0 * tables->full.information(2, age), 1e-6 * ring.best(2).ratio);

@@ -51,7 +51,7 @@ TEST(FieldSensors, AFlightInCelsiusIsThatInKelvin) {
     in_kelvin.clear_events();
     in_celsius.clear_events();
   }
-  EXPECT_TRUE(in_celsius.filter().health().isApprox(in_kelvin.filter().health(), 1e-6));
+  EXPECT_TRUE(in_celsius.watch().filter().health().isApprox(in_kelvin.watch().filter().health(), 1e-6));
 }
 
 struct Outcome {
@@ -86,9 +86,9 @@ Outcome fly(const std::shared_ptr<const design::Design>& design, int samples, Sp
     cycle.clear_events();
     outcome.estimates += cycle.result().estimates;
     if (k < settle || !cycle.result().estimates) continue;
-    const Eigen::VectorXd error = cycle.filter().health() - flight.health();
+    const Eigen::VectorXd error = cycle.watch().filter().health() - flight.health();
     const auto p = static_cast<double>(error.size());
-    outcome.error2 += error.cwiseQuotient(cycle.error().health_sigma()).squaredNorm() / p;
+    outcome.error2 += error.cwiseQuotient(cycle.watch().error().health_sigma()).squaredNorm() / p;
     outcome.distance2 += error.cwiseQuotient(truth.health_sigma).squaredNorm() / p;
     ++count;
   }

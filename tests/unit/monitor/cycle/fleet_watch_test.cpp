@@ -44,11 +44,11 @@ class FleetWatchTest : public testing::Test {
   void note(const test::Flight& flight) {
     if (!cycle_.result().estimates) return;
     ++published_;
-    const Eigen::VectorXd error = cycle_.filter().health() - flight.health();
-    const Eigen::VectorXd of_the_fleet = cycle_.filter().health_sigma_total();
+    const Eigen::VectorXd error = cycle_.watch().filter().health() - flight.health();
+    const Eigen::VectorXd of_the_fleet = cycle_.watch().filter().health_sigma_total();
     worst_of_fleets_ = std::max(worst_of_fleets_, error.cwiseAbs().cwiseQuotient(of_the_fleet).maxCoeff());
-    worst_ =
-        std::max(worst_, error.cwiseAbs().cwiseQuotient(Eigen::VectorXd(cycle_.error().health_sigma())).maxCoeff());
+    worst_ = std::max(
+        worst_, error.cwiseAbs().cwiseQuotient(Eigen::VectorXd(cycle_.watch().error().health_sigma())).maxCoeff());
   }
 
   std::shared_ptr<const design::Design> design_;
@@ -70,7 +70,7 @@ TEST_F(FleetWatchTest, TheDistanceOfTheFleetsEnginesIsAChiSquare) {
                         static_cast<std::uint64_t>(e));
     MonitorCycle cycle(prepared, CycleOptions{});
     for (int k = 0; k < samples; ++k) cycle.process(flight.next());
-    const Eigen::VectorXd q = cycle.filter().tuners();
+    const Eigen::VectorXd q = cycle.watch().filter().tuners();
     const double d2 = q.dot(information * q);
     sum += d2;
     squares += d2 * d2;
@@ -130,7 +130,7 @@ TEST_F(FleetWatchTest, WearFarBeyondTheFleetKeepsAnHonestSigmaUntilItIsWithheldA
 
 TEST_F(FleetWatchTest, SigmaGrowsWithTheExcessInItsPartsOnly) {
   const PreparedDesign prepared(design_);
-  estimation::ErrorPropagation error(prepared.error_models->front());
+  estimation::ErrorPropagation error(prepared.tuner.errors->front());
   while (!error.settled()) error.step();
   const estimation::HealthVector at_1 = error.health_sigma();
   error.widen(4.0);
@@ -155,7 +155,7 @@ TEST_F(FleetWatchTest, SigmaGrowsWithTheExcessInItsPartsOnly) {
 // bias is one more unlikely thing beside the engine's own health.
 TEST_F(FleetWatchTest, ABiasFromTheFirstSampleStandsOut) {
   const Eigen::VectorXd spread =
-      Eigen::VectorXd(MonitorCycle(design_, CycleOptions{}).error().innovation_variance()).cwiseSqrt();
+      Eigen::VectorXd(MonitorCycle(design_, CycleOptions{}).watch().error().innovation_variance()).cwiseSqrt();
   for (const double sigmas : {-6.0, -4.5, 4.5, 6.0}) {
     for (std::size_t i = 0; i < 7; ++i) {
       test::Flight flight(design_->model, Eigen::VectorXd::Zero(10), 75);
@@ -165,8 +165,8 @@ TEST_F(FleetWatchTest, ABiasFromTheFirstSampleStandsOut) {
         s.sensor[i] += sigmas * spread(static_cast<Eigen::Index>(i));
         cycle.process(s);
       }
-      const bool named = !cycle.result().sensors_used[i];
-      const bool doubted = (cycle.result().flags & idl::estimate_flag::implausible) != 0 || cycle.doubted();
+      const bool named = !cycle.result().estimate.sensors[i];
+      const bool doubted = (cycle.result().flags & idl::estimate_flag::implausible) != 0 || cycle.detection().doubted();
       EXPECT_TRUE(named || doubted) << i << ' ' << sigmas;
     }
   }

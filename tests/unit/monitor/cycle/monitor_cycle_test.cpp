@@ -50,7 +50,8 @@ class MonitorCycleTest : public testing::Test {
   }
   void expect_within_sigmas(double sigmas) {
     for (Eigen::Index i = 0; i < 10; ++i)
-      EXPECT_LT(std::abs(cycle_.filter().health()(i) - flight_->health()(i)), sigmas * cycle_.error().health_sigma()(i))
+      EXPECT_LT(std::abs(cycle_.watch().filter().health()(i) - flight_->health()(i)),
+                sigmas * cycle_.watch().error().health_sigma()(i))
           << i;
   }
   double noise(int i) const { return design_->model.sensor_noise_sigma(i); }
@@ -76,11 +77,12 @@ TEST_F(MonitorCycleTest, IsHonestWhileItConverges) {
   EXPECT_TRUE(result.flags & flag::converging);
   // After one sample little is known: the sigma is nearly the prior's.
   for (Eigen::Index i = 0; i < 10; ++i)
-    EXPECT_NEAR(cycle_.error().health_sigma()(i), design_->model.health_sigma(i), 0.2 * design_->model.health_sigma(i));
+    EXPECT_NEAR(cycle_.watch().error().health_sigma()(i), design_->model.health_sigma(i),
+                0.2 * design_->model.health_sigma(i));
   fly(settle);
   for (Eigen::Index i = 0; i < 10; ++i)
-    EXPECT_NEAR(cycle_.error().health_sigma()(i), cycle_.filter().health_sigma_total()(i),
-                1e-3 * cycle_.filter().health_sigma_total()(i));
+    EXPECT_NEAR(cycle_.watch().error().health_sigma()(i), cycle_.watch().filter().health_sigma_total()(i),
+                1e-3 * cycle_.watch().filter().health_sigma_total()(i));
 }
 
 TEST_F(MonitorCycleTest, BridgesAFewMissingValues) {
@@ -99,18 +101,20 @@ TEST_F(MonitorCycleTest, AMissingSensorsDesignTakesOverAndGoesAgain) {
   const auto& result = fly(300, [](Sample& s) { s.sensor_valid &= ~(1u << sensor); });
   EXPECT_EQ(count(idl::EventKind::sensor_fault, true), 1);
   EXPECT_TRUE(result.flags & flag::degraded);
-  EXPECT_FALSE(result.sensors_used[sensor]);
+  EXPECT_FALSE(result.estimate.sensors[sensor]);
   EXPECT_EQ(result.reason[sensor], reason::source_invalid | reason::excluded);
   expect_within_sigmas(3.0);
   fly(settle, [](Sample& s) { s.sensor_valid &= ~(1u << sensor); });
   for (Eigen::Index i = 0; i < 10; ++i) {
-    EXPECT_GE(cycle_.error().health_sigma()(i), 0.999 * cycle_.filter().model().full.health_sigma_total(i)) << i;
-    EXPECT_LE(cycle_.error().health_sigma()(i), 1.001 * design_->model.health_sigma(i)) << i;
+    EXPECT_GE(cycle_.watch().error().health_sigma()(i),
+              0.999 * cycle_.watch().filter().model().full.health_sigma_total(i))
+        << i;
+    EXPECT_LE(cycle_.watch().error().health_sigma()(i), 1.001 * design_->model.health_sigma(i)) << i;
   }
   fly(199);
-  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_FALSE(cycle_.result().estimate.sensors[sensor]);
   fly(2);
-  EXPECT_TRUE(cycle_.result().sensors_used[sensor]);
+  EXPECT_TRUE(cycle_.result().estimate.sensors[sensor]);
   EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 1);
   fly(settle);
   expect_within_sigmas(3.0);
@@ -121,7 +125,7 @@ TEST_F(MonitorCycleTest, ABiasedSensorIsExcludedAndStaysOut) {
   fly(3000, [&](Sample& s) { s.sensor[sensor] += 12.0 * noise(sensor); });
   EXPECT_EQ(count(idl::EventKind::sensor_fault, true), 1);
   EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 0);
-  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_FALSE(cycle_.result().estimate.sensors[sensor]);
   EXPECT_TRUE(cycle_.result().reason[sensor] & reason::innovation_gate);
   expect_within_sigmas(3.0);
 }
@@ -132,7 +136,7 @@ TEST_F(MonitorCycleTest, AnEngineChangeIsFollowedNotRejected) {
   h(4) -= 0.06;
   flight_->set_health(h);
   fly(settle);
-  EXPECT_EQ(cycle_.filter().sensor_set(), estimation::SensorSet::full());
+  EXPECT_EQ(cycle_.watch().filter().sensor_set(), estimation::SensorSet::full());
   EXPECT_EQ(count(idl::EventKind::health_shift, true), 1);
   EXPECT_EQ(count(idl::EventKind::sensor_fault, true), 0);
 }
@@ -213,7 +217,7 @@ TEST_F(MonitorCycleTest, MalformedDuplicateAndReorderedSamplesChangeNothing) {
   const Sample first = flight_->next(), second = flight_->next();
   cycle_.process(first);
   cycle_.process(second);
-  const estimation::HealthVector before = cycle_.filter().health();
+  const estimation::HealthVector before = cycle_.watch().filter().health();
   cycle_.process(second);
   cycle_.process(first);
   Sample malformed = flight_->next();
@@ -223,7 +227,7 @@ TEST_F(MonitorCycleTest, MalformedDuplicateAndReorderedSamplesChangeNothing) {
   EXPECT_EQ(cycle_.counters().duplicated, 1u);
   EXPECT_EQ(cycle_.counters().reordered, 1u);
   EXPECT_EQ(cycle_.counters().malformed, 1u);
-  EXPECT_EQ(cycle_.filter().health(), before);
+  EXPECT_EQ(cycle_.watch().filter().health(), before);
 }
 
 TEST_F(MonitorCycleTest, ARestartedSourceRestartsTheFilterAndSaysSo) {
@@ -240,14 +244,14 @@ TEST_F(MonitorCycleTest, ARestartedSourceRestartsTheFilterAndSaysSo) {
 
 TEST_F(MonitorCycleTest, ASensorMissingFromTheStartIsUsedSoonAfterItComes) {
   fly(600, [](Sample& s) { s.sensor_valid &= ~(1u << sensor); });
-  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_FALSE(cycle_.result().estimate.sensors[sensor]);
   fly(210);  // requalification takes 200
-  EXPECT_TRUE(cycle_.result().sensors_used[sensor]);
+  EXPECT_TRUE(cycle_.result().estimate.sensors[sensor]);
 }
 
 TEST_F(MonitorCycleTest, ASecondSourceIsNotListenedToUntilTheFirstIsSilent) {
   fly(settle);
-  const estimation::HealthVector before = cycle_.filter().health();
+  const estimation::HealthVector before = cycle_.watch().filter().health();
   test::Flight other(design_->model, Eigen::VectorXd::Zero(10), 5);
   for (int i = 0; i < 10; ++i) {
     Sample s = other.next();
@@ -255,7 +259,7 @@ TEST_F(MonitorCycleTest, ASecondSourceIsNotListenedToUntilTheFirstIsSilent) {
     EXPECT_FALSE(cycle_.process(s));
   }
   EXPECT_EQ(cycle_.counters().foreign, 10u);
-  EXPECT_EQ(cycle_.filter().health(), before);
+  EXPECT_EQ(cycle_.watch().filter().health(), before);
   ASSERT_EQ(cycle_.events().size(), 1u);  // said once
   EXPECT_EQ(cycle_.events().begin()->kind, idl::EventKind::second_source);
   cycle_.no_input(1.0);
@@ -292,27 +296,27 @@ TEST_F(MonitorCycleTest, SameSamplesSameBits) {
     cycle_.process(s);
     other.process(s);
   }
-  EXPECT_EQ(cycle_.filter().health(), other.filter().health());
-  EXPECT_EQ(cycle_.error().health_sigma(), other.error().health_sigma());
+  EXPECT_EQ(cycle_.watch().filter().health(), other.watch().filter().health());
+  EXPECT_EQ(cycle_.watch().error().health_sigma(), other.watch().error().health_sigma());
 }
 
 TEST_F(MonitorCycleTest, AnOperatorsResetReadmitsNoSensorThatWasNamed) {
   const auto biased = [&](Sample& s) { s.sensor[sensor] += 12.0 * noise(sensor); };
   fly(settle);
   fly(600, biased);
-  ASSERT_FALSE(cycle_.result().sensors_used[sensor]);
+  ASSERT_FALSE(cycle_.result().estimate.sensors[sensor]);
   events_.clear();
   cycle_.reset();
   fly(3000, biased);
   EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 0);
-  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_FALSE(cycle_.result().estimate.sensors[sensor]);
   expect_within_sigmas(3.0);
   // Well again it returns, though not before the filter is warm enough to judge it.
   cycle_.reset();
   fly(400);
-  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_FALSE(cycle_.result().estimate.sensors[sensor]);
   fly(3000);
-  EXPECT_TRUE(cycle_.result().sensors_used[sensor]);
+  EXPECT_TRUE(cycle_.result().estimate.sensors[sensor]);
   EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 1);
 }
 
@@ -324,7 +328,7 @@ TEST_F(MonitorCycleTest, AGapReadmitsNoSensorThatWasNamed) {
   fly(1000, biased);
   EXPECT_EQ(cycle_.counters().restarts, 1u);
   EXPECT_EQ(count(idl::EventKind::sensor_fault, false), 0);
-  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_FALSE(cycle_.result().estimate.sensors[sensor]);
 }
 
 TEST_F(MonitorCycleTest, AFrozenSensorWhoseLastBitTogglesIsNamed) {
@@ -335,7 +339,7 @@ TEST_F(MonitorCycleTest, AFrozenSensorWhoseLastBitTogglesIsNamed) {
     held = s.sensor[sensor] = std::nextafter(held, s.sequence % 2 ? 1e9 : -1e9);
   });
   EXPECT_EQ(count(idl::EventKind::sensor_fault, true), 1);
-  EXPECT_FALSE(cycle_.result().sensors_used[sensor]);
+  EXPECT_FALSE(cycle_.result().estimate.sensors[sensor]);
   EXPECT_TRUE(cycle_.result().reason[sensor] & reason::quiet);
 }
 

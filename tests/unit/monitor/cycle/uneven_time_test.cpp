@@ -68,14 +68,14 @@ class UnevenTimeTest : public testing::Test {
     const CycleCounters& c = cycle_->counters();
     EXPECT_EQ(c.processed, c.received);
     EXPECT_EQ(c.restarts + c.lost + c.withheld, 0u);
-    EXPECT_EQ(cycle_->filter().health(), reference_->filter().health());
-    EXPECT_EQ(cycle_->error().health_sigma(), reference_->error().health_sigma());
+    EXPECT_EQ(cycle_->watch().filter().health(), reference_->watch().filter().health());
+    EXPECT_EQ(cycle_->watch().error().health_sigma(), reference_->watch().error().health_sigma());
   }
   void expect_said_once(StampState why) {
     ASSERT_EQ(events_.size(), 1u);
     EXPECT_EQ(events_[0].kind, EventKind::source_stamps);
     EXPECT_EQ(events_[0].detail, static_cast<std::uint32_t>(why));
-    EXPECT_TRUE(cycle_->order_troubled());
+    EXPECT_TRUE(cycle_->intake().order_troubled());
   }
 
   std::shared_ptr<const design::Design> design_ = test::made_up_design();
@@ -137,7 +137,7 @@ TEST_F(UnevenTimeTest, AStepOfNtpAndALeapSecondAreSaidAndOver) {
     EXPECT_EQ(count(EventKind::source_stamps, true), 1);
     EXPECT_EQ(count(EventKind::source_stamps, false), 1);
     EXPECT_NEAR(first(EventKind::source_stamps)->value, 0.015 - 1e-9 * static_cast<double>(step_ns), 1e-9);
-    EXPECT_FALSE(cycle_->order_troubled());
+    EXPECT_FALSE(cycle_->intake().order_troubled());
   }
 }
 
@@ -179,7 +179,7 @@ TEST_F(UnevenTimeTest, SamplesLostAcrossTheWrapArePredictedOver) {
   fly(500, eight_bits);
   EXPECT_EQ(cycle_->counters().lost, 10u);
   EXPECT_EQ(cycle_->counters().restarts, 0u);
-  EXPECT_EQ(cycle_->filter().health(), reference_->filter().health());  // it lost the same ten
+  EXPECT_EQ(cycle_->watch().filter().health(), reference_->watch().filter().health());  // it lost the same ten
 }
 
 TEST_F(UnevenTimeTest, ASequenceThatStandsStillIsNamedAndIsNoLossOfInput) {
@@ -187,10 +187,10 @@ TEST_F(UnevenTimeTest, ASequenceThatStandsStillIsNamedAndIsNoLossOfInput) {
   fly(100, [](Sample& s) { s.sequence = 499; });
   ASSERT_EQ(events_.size(), 1u);
   EXPECT_EQ(events_[0].kind, EventKind::source_sequence);
-  EXPECT_TRUE(cycle_->sequence_stands());
+  EXPECT_TRUE(cycle_->intake().sequence_stands());
   EXPECT_EQ(cycle_->counters().duplicated, 100u);
   fly(200, [](Sample&) {});
-  EXPECT_FALSE(cycle_->sequence_stands());
+  EXPECT_FALSE(cycle_->intake().sequence_stands());
   EXPECT_EQ(count(EventKind::source_sequence, false), 1);
   EXPECT_EQ(count(EventKind::filter_restart), 0);  // 1.5 s are bridged
 }

@@ -5,11 +5,11 @@
 
 #include <stdexcept>
 
-namespace ehm::tuner_design {
+namespace ehm::estimation {
 
 class SolverError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::estimation

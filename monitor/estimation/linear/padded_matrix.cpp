@@ -1,4 +1,4 @@
-#include "monitor/estimation/padded_matrix.h"
+#include "monitor/estimation/linear/padded_matrix.h"
 
 #include <utility>
 

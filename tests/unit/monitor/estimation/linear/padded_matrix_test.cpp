@@ -1,6 +1,6 @@
 // The product against Eigen's own, for every number of rows, and the same bits from both of its forms.
 
-#include "monitor/estimation/padded_matrix.h"
+#include "monitor/estimation/linear/padded_matrix.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "tuner_design/math/lyapunov.h"
+#include "monitor/estimation/linear/lyapunov.h"
 
 #include <Eigen/Eigenvalues>
 #include <sstream>
 #include <stdexcept>
 
-#include "tuner_design/math/doubling.h"
-#include "tuner_design/math/solver_error.h"
+#include "monitor/estimation/linear/doubling.h"
+#include "monitor/estimation/linear/solver_error.h"
 
-namespace ehm::tuner_design {
+namespace ehm::estimation {
 namespace {
 
 constexpr double allowed_residual = 1e-9;
@@ -42,4 +42,4 @@ Eigen::MatrixXd solve_discrete_lyapunov(const Eigen::MatrixXd& A, const Eigen::M
   return X;
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::estimation

@@ -1,6 +1,6 @@
 // The product against Eigen's own, over all sizes that the blocks distinguish, and its order of summation.
 
-#include "monitor/estimation/matrix_vector_product.h"
+#include "monitor/estimation/linear/matrix_vector_product.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace ehm::tuner_design {
+namespace ehm::estimation {
 
 /// @throws std::invalid_argument if the shapes do not fit.
 /// @throws SolverError if A is not stable, or if the relative residual exceeds 1e-9 (it is in the message).
@@ -14,4 +14,4 @@ Eigen::MatrixXd solve_discrete_lyapunov(const Eigen::MatrixXd& A, const Eigen::M
 /// Largest magnitude of an eigenvalue.
 double spectral_radius(const Eigen::MatrixXd& A);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::estimation

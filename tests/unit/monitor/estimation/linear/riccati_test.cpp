@@ -1,7 +1,7 @@
 // Riccati and Lyapunov solvers: numbers of scipy (fixtures/scipy_reference.json says how they were made), and what must
 // hold for any solution: residual, symmetry, definiteness, stability.
 
-#include "tuner_design/math/riccati.h"
+#include "monitor/estimation/linear/riccati.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "monitor/estimation/linear/lyapunov.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/math/lyapunov.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -51,10 +51,11 @@ TEST(Riccati, AgreesWithScipy) {
     SCOPED_TRACE(problem.at("name").get<std::string>());
     const Eigen::MatrixXd A = matrix(problem.at("A")), C = matrix(problem.at("C"));
     const Eigen::MatrixXd Q = matrix(problem.at("Q")), R = matrix(problem.at("R")), expected = matrix(problem.at("P"));
-    const Eigen::MatrixXd P = solve_filter_riccati(A, C, Q, R);
+    const Eigen::MatrixXd P = estimation::solve_filter_riccati(A, C, Q, R);
     EXPECT_LT((P - expected).norm() / expected.norm(), 1e-9);
     // Ours is the more exact of the two (theory.md, section 10: SDA 1e-15, SLICOT up to 1e-12).
-    EXPECT_LE(riccati_residual(P, A, C, Q, R), std::max(1e-14, 1.01 * riccati_residual(expected, A, C, Q, R)));
+    EXPECT_LE(estimation::riccati_residual(P, A, C, Q, R),
+              std::max(1e-14, 1.01 * estimation::riccati_residual(expected, A, C, Q, R)));
   }
 }
 
@@ -65,15 +66,15 @@ TEST(Riccati, RandomProblemsSolveTheEquationAndStabilise) {
     const auto n = static_cast<Eigen::Index>(random.uniform(1, 12)),
                m = static_cast<Eigen::Index>(random.uniform(1, 8));
     Eigen::MatrixXd A = random.normal_matrix(n, n);
-    A *= random.uniform(0.5, 1.1) / spectral_radius(A);  // stable and unstable ones
+    A *= random.uniform(0.5, 1.1) / estimation::spectral_radius(A);  // stable and unstable ones
     const Eigen::MatrixXd C = random.normal_matrix(m, n);
     const Eigen::MatrixXd Q = positive_definite(random, n), R = positive_definite(random, m);
-    const Eigen::MatrixXd P = solve_filter_riccati(A, C, Q, R);
-    EXPECT_LT(riccati_residual(P, A, C, Q, R), 1e-10);
+    const Eigen::MatrixXd P = estimation::solve_filter_riccati(A, C, Q, R);
+    EXPECT_LT(estimation::riccati_residual(P, A, C, Q, R), 1e-10);
     EXPECT_EQ((P - P.transpose()).norm(), 0.0);
     EXPECT_GT(least_eigenvalue(P), 0.0);
     const Eigen::MatrixXd K = (C * P * C.transpose() + R).llt().solve(C * P).transpose();
-    EXPECT_LT(spectral_radius(A - A * K * C), 1.0);
+    EXPECT_LT(estimation::spectral_radius(A - A * K * C), 1.0);
   }
 }
 
@@ -93,8 +94,8 @@ TEST(Riccati, SolvesWhatNoiseOfAnySizeLeaves) {
       p(i) = b > 0.0 ? 2.0 * q(i) * r(i) / (b + std::sqrt(b * b + 4.0 * q(i) * r(i)))
                      : 0.5 * (-b + std::sqrt(b * b + 4.0 * q(i) * r(i)));
     }
-    const Eigen::MatrixXd P = solve_filter_riccati(T * a.asDiagonal() * T.transpose(), T.transpose(),
-                                                   T * q.asDiagonal() * T.transpose(), r.asDiagonal());
+    const Eigen::MatrixXd P = estimation::solve_filter_riccati(T * a.asDiagonal() * T.transpose(), T.transpose(),
+                                                               T * q.asDiagonal() * T.transpose(), r.asDiagonal());
     const Eigen::MatrixXd expected = T * p.asDiagonal() * T.transpose();
     EXPECT_LT((P - expected).norm() / expected.norm(), 1e-9);
   }
@@ -103,20 +104,22 @@ TEST(Riccati, SolvesWhatNoiseOfAnySizeLeaves) {
 TEST(Riccati, ScalarHasItsClosedForm) {
   // p = a^2 p r / (p + r) + q with a = c = 1, q = r = 1: p^2 = p + 1, the golden ratio.
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
-  EXPECT_NEAR(solve_filter_riccati(one, one, one, one)(0, 0), (1.0 + std::sqrt(5.0)) / 2.0, 1e-14);
+  EXPECT_NEAR(estimation::solve_filter_riccati(one, one, one, one)(0, 0), (1.0 + std::sqrt(5.0)) / 2.0, 1e-14);
 }
 
 TEST(Riccati, RefusesWhatHasNoSolution) {
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1), none = Eigen::MatrixXd::Zero(1, 1);
-  EXPECT_THROW(solve_filter_riccati(2.0 * one, none, one, one), std::runtime_error) << "unstable and not seen";
-  EXPECT_THROW(solve_filter_riccati(one, one, none, one), std::runtime_error) << "integrator that nothing drives";
+  EXPECT_THROW(estimation::solve_filter_riccati(2.0 * one, none, one, one), std::runtime_error)
+      << "unstable and not seen";
+  EXPECT_THROW(estimation::solve_filter_riccati(one, one, none, one), std::runtime_error)
+      << "integrator that nothing drives";
   try {
-    solve_filter_riccati(one, one, one, none);
+    estimation::solve_filter_riccati(one, one, one, none);
     FAIL() << "R = 0 was accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "Riccati equation: R is not positive definite");
   }
-  EXPECT_THROW(solve_filter_riccati(one, Eigen::MatrixXd::Ones(1, 2), one, one), std::invalid_argument);
+  EXPECT_THROW(estimation::solve_filter_riccati(one, Eigen::MatrixXd::Ones(1, 2), one, one), std::invalid_argument);
 }
 
 TEST(Lyapunov, AgreesWithScipy) {
@@ -125,7 +128,7 @@ TEST(Lyapunov, AgreesWithScipy) {
   for (const auto& problem : reference.at("lyapunov")) {
     SCOPED_TRACE(problem.at("name").get<std::string>());
     const Eigen::MatrixXd expected = matrix(problem.at("X"));
-    const Eigen::MatrixXd X = solve_discrete_lyapunov(matrix(problem.at("A")), matrix(problem.at("Q")));
+    const Eigen::MatrixXd X = estimation::solve_discrete_lyapunov(matrix(problem.at("A")), matrix(problem.at("Q")));
     EXPECT_LT((X - expected).norm() / expected.norm(), 1e-10);
   }
 }
@@ -136,9 +139,9 @@ TEST(Lyapunov, RandomProblemsSolveTheEquation) {
     SCOPED_TRACE(problem);
     const auto n = static_cast<Eigen::Index>(random.uniform(1, 12));
     Eigen::MatrixXd A = random.normal_matrix(n, n);
-    A *= random.uniform(0.1, 0.999) / spectral_radius(A);
+    A *= random.uniform(0.1, 0.999) / estimation::spectral_radius(A);
     const Eigen::MatrixXd Q = positive_definite(random, n);
-    const Eigen::MatrixXd X = solve_discrete_lyapunov(A, Q);
+    const Eigen::MatrixXd X = estimation::solve_discrete_lyapunov(A, Q);
     EXPECT_LT((A * X * A.transpose() + Q - X).norm() / X.norm(), 1e-12);
     EXPECT_EQ((X - X.transpose()).norm(), 0.0);
     EXPECT_GT(least_eigenvalue(X), 0.0);
@@ -148,12 +151,12 @@ TEST(Lyapunov, RandomProblemsSolveTheEquation) {
 TEST(Lyapunov, RefusesAnUnstableMatrix) {
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
   try {
-    solve_discrete_lyapunov(one, one);
+    estimation::solve_discrete_lyapunov(one, one);
     FAIL() << "an integrator was accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "Lyapunov equation: A has the spectral radius 1, allowed below 1");
   }
-  EXPECT_THROW(solve_discrete_lyapunov(one, Eigen::MatrixXd::Ones(2, 2)), std::invalid_argument);
+  EXPECT_THROW(estimation::solve_discrete_lyapunov(one, Eigen::MatrixXd::Ones(2, 2)), std::invalid_argument);
 }
 
 }  // namespace

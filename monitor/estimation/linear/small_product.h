@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace ehm::tuner_design {
+namespace ehm::estimation {
 namespace small_product {
 
 /// Rows i .. i+Rows-1 of columns j .. j+Cols-1.
@@ -58,4 +58,4 @@ void multiply_symmetric(Out& out, const Left& left, const Right& right) {
   }
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::estimation

@@ -1,4 +1,4 @@
-#include "tuner_design/math/riccati.h"
+#include "monitor/estimation/linear/riccati.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
@@ -6,11 +6,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tuner_design/math/doubling.h"
-#include "tuner_design/math/lyapunov.h"
-#include "tuner_design/math/solver_error.h"
+#include "monitor/estimation/linear/doubling.h"
+#include "monitor/estimation/linear/lyapunov.h"
+#include "monitor/estimation/linear/solver_error.h"
 
-namespace ehm::tuner_design {
+namespace ehm::estimation {
 namespace {
 
 constexpr double allowed_residual = 1e-9;
@@ -82,4 +82,4 @@ Eigen::MatrixXd solve_filter_riccati(const Eigen::MatrixXd& A, const Eigen::Matr
   return P;
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::estimation

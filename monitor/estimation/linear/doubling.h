@@ -11,9 +11,9 @@
 #include <Eigen/LU>
 #include <array>
 
-#include "tuner_design/math/small_product.h"
+#include "monitor/estimation/linear/small_product.h"
 
-namespace ehm::tuner_design::doubling {
+namespace ehm::estimation::doubling {
 
 inline constexpr int max_doublings = 48;  ///< radius 1 - 1e-13
 inline constexpr double last_increment = 1e-9;
@@ -96,4 +96,4 @@ class Powers {
   bool converged_ = false;
 };
 
-}  // namespace ehm::tuner_design::doubling
+}  // namespace ehm::estimation::doubling

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-namespace ehm::tuner_design {
+namespace ehm::estimation {
 
 /// @throws std::invalid_argument if the shapes do not fit.
 /// @throws SolverError if R is not positive definite, if the doubling does not converge (the pair is not
@@ -22,4 +22,4 @@ Eigen::MatrixXd solve_filter_riccati(const Eigen::MatrixXd& A, const Eigen::Matr
 double riccati_residual(const Eigen::MatrixXd& P, const Eigen::MatrixXd& A, const Eigen::MatrixXd& C,
                         const Eigen::MatrixXd& Q, const Eigen::MatrixXd& R);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::estimation

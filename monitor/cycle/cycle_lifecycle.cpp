@@ -1,0 +1,106 @@
+// What happens to a cycle beside its samples: starts, ends, silence, what it withholds. Real-time safe: yes, all of it.
+
+#include <cmath>
+
+#include "idl/wire_values.h"
+#include "monitor/cycle/monitor_cycle.h"
+
+namespace ehm::monitor {
+
+namespace reason = idl::reject_reason;
+
+void MonitorCycle::restart_filter() noexcept {
+  detection_.restart(accommodation_.start(watch_, supervision_), events_);
+  companions_.reset();
+  fleet_.reset(events_);
+  verdict_ = {};
+  before_ = now_;
+}
+
+void MonitorCycle::restart(RestartReason reason, double jump_s) noexcept {
+  ++counters_.restarts;
+  if (reason != RestartReason::command) {
+    intake_.forget_words(events_);
+    supervision_.forget_values();
+  }
+  if (sensors_are_new(reason)) {
+    supervision_.forget(events_);
+    accommodation_.forget(events_);
+  }
+  restart_filter();
+  events_.push({.kind = idl::EventKind::filter_restart,
+                .raised = true,
+                .value = jump_s,
+                .threshold = options_.checks.restart_gap_s,
+                .detail = static_cast<std::uint32_t>(reason)});
+}
+
+void MonitorCycle::reset(RestartReason reason) noexcept {
+  restart(reason, 0.0);
+  intake_.reset(events_);
+}
+
+void MonitorCycle::retire() noexcept {
+  reset(RestartReason::other_design);
+  validity_.end_with_design(events_);
+  limits_.end_with_design(events_);
+  supervision_.retire(events_);
+  intake_.retire(events_);
+}
+
+bool MonitorCycle::usable(const Sample& sample) const noexcept {
+  if (intake_.malformed(sample)) return false;
+  for (int i = 0; i < sensors_; ++i)
+    if (sample.sensor_valid >> i & 1u && std::isfinite(sample.sensor[static_cast<std::size_t>(i)])) return true;
+  return false;
+}
+
+bool MonitorCycle::no_input(double age_s) noexcept {
+  const double limit_s = options_.stale_periods * design_->model.sample_time_s;
+  if (age_s <= limit_s) return false;
+  intake_.lost(age_s, limit_s, events_);
+  return true;
+}
+
+estimation::Conditions MonitorCycle::conditions_of(const Sample& sample) const noexcept {
+  estimation::Conditions conditions{sample.flight, estimation::ActuatorVector(actuators_)};
+  for (int i = 0; i < actuators_; ++i) conditions.actuators(i) = sample.actuator[static_cast<std::size_t>(i)];
+  return conditions;
+}
+
+void MonitorCycle::no_residuals() noexcept {
+  result_.innovation.setZero(sensors_);
+  result_.innovation_variance.setZero(sensors_);
+  result_.ratio.setZero(sensors_);
+}
+
+void MonitorCycle::withhold() noexcept {
+  ++counters_.withheld;
+  no_residuals();
+  result_.estimates = false;
+  result_.fused.reset();
+  result_.rejected.reset();
+  for (int i = 0; i < sensors_; ++i) {
+    result_.rejected.set(static_cast<std::size_t>(i));
+    result_.reason[static_cast<std::size_t>(i)] |= reason::withheld;
+  }
+  result_.flags = estimate_flags();
+}
+
+std::uint32_t MonitorCycle::estimate_flags() const noexcept {
+  namespace flag = idl::estimate_flag;
+  std::uint32_t flags = 0;
+  if (!watch_.estimate().settled) flags |= flag::converging;
+  estimation::SensorMask served = result_.fused;
+  for (int i = 0; i < sensors_; ++i)
+    if (result_.reason[static_cast<std::size_t>(i)] == reason::repeated) served.set(static_cast<std::size_t>(i));
+  const estimation::SensorMask in_use = watch_.filter().sensors();
+  if ((served & in_use) != in_use || intake_.replaced() > 0) flags |= flag::bridging;
+  if (!watch_.filter().sensor_set().is_full()) flags |= flag::degraded;
+  if (!valid_) flags |= flag::off_design;
+  if (detection_.shifted()) flags |= flag::shifted;
+  if (fleet_.implausible()) flags |= flag::implausible;
+  return flags;
+}
+
+}  // namespace ehm::monitor

@@ -1,0 +1,141 @@
+#include "monitor/cycle/fault_detection.h"
+
+#include <cmath>
+
+#include "idl/wire_values.h"
+
+namespace ehm::monitor {
+
+namespace reason = idl::reject_reason;
+
+namespace {
+constexpr double ambiguity_lasts_s = 5.0;  // after the evidence has faded
+constexpr double return_settles_in = 2.0;  // slowest time constants after a sensor has come back
+}  // namespace
+
+FaultDetection::FaultDetection(const CycleOptions& options, const PreparedDesign& prepared)
+    : sample_time_s_(prepared.design->model.sample_time_s),
+      slowest_time_constant_s_(prepared.design->full.slowest_time_constant_s),
+      detector_(options.faults, prepared.faults, sample_time_s_),
+      shift_(options.shift, *prepared.design, prepared.shift),
+      slow_bias_(options.faults, prepared.slow_bias) {}
+
+Verdict FaultDetection::judge(const estimation::TunerEstimator& watch, bool has_design, int steps,
+                              SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept {
+  const estimation::TunerFilter& filter = watch.filter();
+  const bool all_sensors = filter.sensor_set().is_full(), settled = watch.estimate().settled;
+  const bool slow_start = supervision.hold() > 1 && !settled;
+  estimation::SensorMask present;
+  for (Eigen::Index i = 0; i < result.innovation.size(); ++i)
+    present[static_cast<std::size_t>(i)] = (result.reason[static_cast<std::size_t>(i)] & ~reason::innovation_gate) == 0;
+  present &= filter.sensors();
+  ungated_.step(filter, present, result.fused);
+  Verdict verdict;
+  if (has_design && !slow_start)
+    verdict = declare(detector_.step(ungated_.innovation(), present, steps), all_sensors, supervision, result, events);
+  settle_ambiguity(false, events);
+  if (!has_design) {
+    shift_.reset();
+    return verdict;
+  }
+  const bool wait = detector_.pending() || ambiguous_.raised() || verdict.fault.kind != FaultKind::none || slow_start;
+  shift_.judge(filter.tuners(), filter.sensor_set().missing(), wait, events);
+  if (all_sensors && settled) slow_bias_.judge(filter.tuners(), events);
+  return verdict;
+}
+
+Verdict FaultDetection::declare(const FaultVerdict& fault, bool all_sensors, SensorSupervision& supervision,
+                                CycleResult& result, EventList& events) noexcept {
+  const auto channel = static_cast<std::uint32_t>(fault.channel);
+  switch (fault.kind) {
+    case FaultKind::none:
+      break;
+    case FaultKind::sensor_bias:
+    case FaultKind::sensor_noise:
+      settle_ambiguity(true, events);
+      return declare_sensor(fault, all_sensors, supervision, result, events);
+    case FaultKind::component_step:
+      settle_ambiguity(true, events);
+      shift_.name({.kind = idl::EventKind::health_shift,
+                   .channel = channel,
+                   .raised = true,
+                   .value = fault.size,
+                   .threshold = fault.noticeable,
+                   .age_s = age_s(fault)},
+                  events);
+      break;
+    case FaultKind::ambiguous:
+      ambiguous_channel_ = channel;
+      unambiguous_samples_ = 0;
+      ambiguous_.set(true,
+                     {.kind = idl::EventKind::ambiguous_fault,
+                      .channel = channel,
+                      .value = fault.size,
+                      .threshold = fault.noticeable,
+                      .age_s = age_s(fault)},
+                     events);
+      break;
+  }
+  return {};
+}
+
+Verdict FaultDetection::declare_sensor(const FaultVerdict& fault, bool all_sensors, SensorSupervision& supervision,
+                                       CycleResult& result, EventList& events) noexcept {
+  const bool bias = fault.kind == FaultKind::sensor_bias;
+  const std::uint32_t why = bias ? reason::bias : reason::noise;
+  const Event event{.kind = idl::EventKind::sensor_fault,
+                    .channel = static_cast<std::uint32_t>(fault.channel),
+                    .raised = true,
+                    .value = fault.size,
+                    .threshold = fault.noticeable,
+                    .detail = why,
+                    .age_s = bias ? age_s(fault) : 0.0};
+  if (bias && all_sensors && slow_bias_.ended_by(fault.channel, fault.size)) {
+    Event end = event;
+    end.kind = idl::EventKind::slow_bias;
+    end.raised = false;
+    events.push(end);
+    return {fault, true};
+  }
+  supervision.exclude(fault.channel, event, events);
+  result.reason[static_cast<std::size_t>(fault.channel)] |= why | reason::excluded;
+  return {fault, false};
+}
+
+void FaultDetection::settle_ambiguity(bool decided, EventList& events) noexcept {
+  if (!ambiguous_.raised()) return;
+  unambiguous_samples_ = detector_.excited() ? 0 : unambiguous_samples_ + 1;
+  const bool over = decided || static_cast<double>(unambiguous_samples_) * sample_time_s_ > ambiguity_lasts_s;
+  ambiguous_.set(!over, {.kind = idl::EventKind::ambiguous_fault, .channel = ambiguous_channel_}, events);
+}
+
+void FaultDetection::restart(int missing, EventList& events) noexcept {
+  if (missing < 0)
+    detector_.reset();
+  else
+    detector_.start(missing, detector_.tables().of(missing).settling_samples);
+  ungated_.reset();
+  shift_.reset();
+  slow_bias_.reset(events);
+  ambiguous_.judge_anew(idl::EventKind::ambiguous_fault, ambiguous_channel_, events);
+}
+
+void FaultDetection::resume(int missing, Eigen::Index deaf_samples) noexcept {
+  shift_.reset();
+  ungated_.reset();
+  detector_.start(missing, deaf_samples);
+}
+
+void FaultDetection::without(int sensor) noexcept {
+  ungated_.reset();
+  detector_.change_set(sensor, 0);
+}
+
+/// It listens once what was wrong with the shift has died away.
+void FaultDetection::with_all() noexcept {
+  ungated_.reset();
+  const double settle_s = return_settles_in * slowest_time_constant_s_;
+  detector_.change_set(-1, std::llround(settle_s / sample_time_s_));
+}
+
+}  // namespace ehm::monitor

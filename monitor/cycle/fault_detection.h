@@ -1,0 +1,77 @@
+#pragma once
+// The last station of the data path: what the estimates of a sample mean. Names abrupt faults of sensors and
+// components, shifts of health, slow bias of a sensor. It leaves the sample's estimates alone; what it decides about a
+// sensor is a Verdict, a value that accommodation takes before the next sample.
+// Real-time safe: yes, all but the constructor.
+
+#include <cstdint>
+
+#include "monitor/cycle/cycle_result.h"
+#include "monitor/cycle/prepared_design.h"
+#include "monitor/cycle/sensor_supervision.h"
+#include "monitor/data/events.h"
+#include "monitor/data/options.h"
+#include "monitor/estimation/tuner_estimator.h"
+#include "monitor/judge/fault_detector.h"
+#include "monitor/judge/shift_detector.h"
+#include "monitor/judge/slow_bias.h"
+#include "monitor/judge/ungated_filter.h"
+
+namespace ehm::monitor {
+
+/// What a sample's judgement decides about the estimates from the next one on.
+struct Verdict {
+  FaultVerdict fault;       ///< that is to be taken out of the estimate; kind none: nothing is
+  bool ends_drift = false;  ///< it is the end of a drift that the filter has followed: the sensor is good again
+};
+
+class FaultDetection {
+ public:
+  FaultDetection(const CycleOptions& options, const PreparedDesign& prepared);
+
+  /// Judges the sample that `watch` was last updated with, `steps` sample times after the one before; adds the reasons
+  /// of a sensor that it names. With `has_design` false the estimates mean nothing.
+  Verdict judge(const estimation::TunerEstimator& watch, bool has_design, int steps, SensorSupervision& supervision,
+                CycleResult& result, EventList& events) noexcept;
+
+  /// The watch filter starts cold, without sensor `missing` (-1: with all).
+  void restart(int missing, EventList& events) noexcept;
+  /// It goes on where another one of its design stopped; deaf for so many samples.
+  void resume(int missing, Eigen::Index deaf_samples) noexcept;
+  /// It goes on without a sensor.
+  void without(int sensor) noexcept;
+  /// It goes on with all sensors, and with what is still wrong with its state.
+  void with_all() noexcept;
+  /// The estimates step for a reason that is known.
+  void expect_step() noexcept { shift_.reset(); }
+
+  /// It listens: the filter has converged.
+  bool listens() const noexcept { return detector_.armed(); }
+  /// The sensor that is most likely at fault, -1 for none: better not fused.
+  int suspect() const noexcept { return detector_.suspect(); }
+  bool shifted() const noexcept { return shift_.raised(); }
+  /// What may be wrong with the estimates, and an event tells: a drift, or a fault that nobody can name.
+  bool doubted() const noexcept { return slow_bias_.raised() || ambiguous_.raised(); }
+  const FaultDetector& detector() const noexcept { return detector_; }
+  /// Adds to a shift of the watch filter's state what the gate has kept from it.
+  void add_ungated(estimation::AugmentedVector& shift) const noexcept { ungated_.add_difference(shift); }
+
+ private:
+  Verdict declare(const FaultVerdict& fault, bool all_sensors, SensorSupervision& supervision, CycleResult& result,
+                  EventList& events) noexcept;
+  Verdict declare_sensor(const FaultVerdict& fault, bool all_sensors, SensorSupervision& supervision,
+                         CycleResult& result, EventList& events) noexcept;
+  void settle_ambiguity(bool decided, EventList& events) noexcept;
+  double age_s(const FaultVerdict& fault) const noexcept { return sample_time_s_ * (fault.age + 1); }
+
+  double sample_time_s_, slowest_time_constant_s_;
+  FaultDetector detector_;
+  UngatedFilter ungated_;
+  ShiftDetector shift_;
+  SlowBias slow_bias_;
+  Condition ambiguous_;
+  std::uint32_t ambiguous_channel_ = 0;
+  std::int64_t unambiguous_samples_ = 0;
+};
+
+}  // namespace ehm::monitor

@@ -1,0 +1,92 @@
+#include "monitor/design/make_estimator.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "monitor/design/make_error_model.h"
+#include "monitor/design/make_filter.h"
+#include "monitor/design/make_full_order.h"
+
+namespace ehm::design {
+namespace {
+
+using estimation::Estimator;
+using monitor::EstimatorOptions;
+
+constexpr std::array kinds{
+    EstimatorKind{tuner_name, "steady-state Kalman filter on the tuners q = V* h",
+                  [](const Design& design, const EstimatorOptions&,
+                     const estimation::PointDistance& distance) -> std::unique_ptr<Estimator> {
+                    return std::make_unique<estimation::TunerEstimator>(make_tuner_model(design), distance);
+                  }},
+    EstimatorKind{"gauss_markov",
+                  "steady-state Kalman filter on all health parameters, which fade in estimator.memory_s",
+                  [](const Design& design, const EstimatorOptions& options,
+                     const estimation::PointDistance& distance) -> std::unique_ptr<Estimator> {
+                    return std::make_unique<estimation::GaussMarkovEstimator>(
+                        make_gauss_markov_model(design, options.memory_s), distance);
+                  }},
+    EstimatorKind{"time_varying", "Kalman filter on all health parameters, constant: exact, and deaf to later changes",
+                  [](const Design& design, const EstimatorOptions&,
+                     const estimation::PointDistance& distance) -> std::unique_ptr<Estimator> {
+                    return std::make_unique<estimation::TimeVaryingEstimator>(make_time_varying_model(design),
+                                                                              distance);
+                  }}};
+
+const EstimatorKind* kind_of(const std::string& name) noexcept {
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const EstimatorKind& k) { return name == k.name; });
+  return kind == kinds.end() ? nullptr : &*kind;
+}
+
+std::string known_names() {
+  std::string names;
+  for (const EstimatorKind& kind : kinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return names;
+}
+
+std::vector<estimation::ErrorModel> make_error_models(const Design& design) {
+  std::vector<estimation::ErrorModel> models{make_error_model(design, design.full)};
+  for (const auto& subset : design.missing)
+    models.push_back(subset ? make_error_model(design, *subset) : estimation::ErrorModel{});
+  return models;
+}
+
+}  // namespace
+
+std::span<const EstimatorKind> estimator_kinds() noexcept {
+  return kinds;
+}
+
+std::vector<std::string> shadow_names(const EstimatorOptions& options) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; !options.shadow.empty() && begin <= options.shadow.size();) {
+    const std::size_t end = std::min(options.shadow.find(',', begin), options.shadow.size());
+    const std::string name = options.shadow.substr(begin, end - begin);
+    begin = end + 1;
+    if (!kind_of(name)) throw std::invalid_argument("'" + name + "' is no estimator; allowed: " + known_names());
+    if (name == options.published) throw std::invalid_argument("'" + name + "' is published already");
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      throw std::invalid_argument("'" + name + "' stands twice; allowed is once");
+    names.push_back(name);
+  }
+  if (names.size() > max_shadows)
+    throw std::invalid_argument(std::to_string(names.size()) + " estimators; allowed: at most " +
+                                std::to_string(max_shadows));
+  return names;
+}
+
+std::unique_ptr<Estimator> make_estimator(const std::string& name, const Design& design,
+                                          const EstimatorOptions& options, const monitor::ValidityOptions& validity) {
+  const EstimatorKind* kind = kind_of(name);
+  if (!kind) throw std::invalid_argument("'" + name + "' is no estimator; allowed: " + known_names());
+  return kind->make(design, options, {validity, design.model});
+}
+
+estimation::TunerEstimatorModel make_tuner_model(const Design& design) {
+  const auto& model = design.model;
+  return {make_filter(design), std::make_shared<const std::vector<estimation::ErrorModel>>(make_error_models(design)),
+          linear_model::trims(model.sensors), linear_model::trims(model.controls)};
+}
+
+}  // namespace ehm::design

@@ -1,0 +1,46 @@
+#pragma once
+// From a design to the estimators that can fly it. estimator_kinds() is the table of all of them: a further one is a
+// file in estimation/, a line there, and a row of the shared suite (tests/unit/monitor/estimation/estimator_test.cpp).
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "monitor/data/options.h"
+#include "monitor/design/design.h"
+#include "monitor/estimation/estimator.h"
+#include "monitor/estimation/point_distance.h"
+#include "monitor/estimation/tuner_estimator.h"
+
+namespace ehm::design {
+
+inline constexpr const char* tuner_name = "tuner";
+
+struct EstimatorKind {
+  const char* name;         ///< in configuration, on the wire, in recordings
+  const char* description;  ///< for people who choose
+  std::unique_ptr<estimation::Estimator> (*make)(const Design& design, const monitor::EstimatorOptions& options,
+                                                 const estimation::PointDistance& distance);
+};
+
+/// All of them, the tuner filter first.
+std::span<const EstimatorKind> estimator_kinds() noexcept;
+
+inline constexpr std::size_t max_shadows = 3;
+
+/// The names in estimator.shadow, in their order.
+/// @throws std::invalid_argument (value, allowed) if one is not known, stands twice, is published, or is one too many.
+std::vector<std::string> shadow_names(const monitor::EstimatorOptions& options);
+
+/// @throws std::invalid_argument if the name is not one of the table (names those that are), or the design has not
+/// what it needs.
+std::unique_ptr<estimation::Estimator> make_estimator(const std::string& name, const Design& design,
+                                                      const monitor::EstimatorOptions& options,
+                                                      const monitor::ValidityOptions& validity);
+
+/// The tuner filter's constants.
+/// @throws std::invalid_argument if the design's matrices do not fit together.
+estimation::TunerEstimatorModel make_tuner_model(const Design& design);
+
+}  // namespace ehm::design

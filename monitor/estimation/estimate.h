@@ -1,0 +1,18 @@
+#pragma once
+// What an estimator says of one engine after a sample. Absolute values in channel units; the two standard deviations of
+// a channel: that of the whole error over the fleet, which is published as sigma_total, and the estimator's own idea,
+// which is blind to what its model leaves out. Plain data of fixed capacity: a copy allocates nothing.
+
+#include "monitor/estimation/capacity.h"
+
+namespace ehm::estimation {
+
+struct Estimate {
+  HealthVector health, health_sigma, health_sigma_filter;
+  AuxiliaryVector auxiliary, auxiliary_sigma, auxiliary_sigma_filter;
+  TunerVector tuners;    ///< q, percent of health; of length 0 where the estimator has none
+  SensorMask sensors;    ///< that it uses at present
+  bool settled = false;  ///< what it did not know at its start has faded to a thousandth
+};
+
+}  // namespace ehm::estimation

@@ -1,0 +1,90 @@
+#include "monitor/estimation/gauss_markov_estimator.h"
+
+#include <utility>
+
+#include "monitor/estimation/sensor_choice.h"
+
+namespace ehm::estimation {
+
+GaussMarkovEstimator::GaussMarkovEstimator(std::shared_ptr<const GaussMarkovModel> model, const PointDistance& distance)
+    : model_(std::move(model)),
+      filter_(model_->model, set().gain),
+      error_(set().error),
+      distance_(distance),
+      du_(model_->units.actuator_trim.size()) {
+  const Eigen::Index size = model_->model->prior.rows();
+  same_.setIdentity(size, size);
+  reset();
+}
+
+std::unique_ptr<Estimator> GaussMarkovEstimator::clone() const {
+  return std::make_unique<GaussMarkovEstimator>(model_, distance_);
+}
+
+void GaussMarkovEstimator::reset() noexcept {
+  set_ = 0;
+  held_samples_ = 0;
+  filter_.use(set().gain);
+  filter_.reset();
+  error_.reset(set().error);
+  innovation_.value.setZero(model_->units.sensor_trim.size());
+  innovation_.variance = innovation_.value;
+  read_out();
+}
+
+bool GaussMarkovEstimator::use(SensorMask available) noexcept {
+  const int missing = only_missing(model_->sets.front()->sensors, available);
+  if (missing == several_missing) return false;
+  const auto wanted = static_cast<std::size_t>(1 + missing);
+  if (wanted == set_) return true;
+  if (!model_->sets[wanted]) return false;
+  set_ = wanted;
+  filter_.use(set().gain);
+  error_.switch_to(set().error, same_);
+  return true;
+}
+
+void GaussMarkovEstimator::predict(const Conditions& before, int steps) noexcept {
+  du_ = before.actuators - model_->units.actuator_trim;
+  for (int k = 0; k < steps; ++k) filter_.predict(du_);
+}
+
+void GaussMarkovEstimator::innovate(const SensorVector& y, const Conditions& now) noexcept {
+  const ChannelUnits& units = model_->units;
+  du_ = now.actuators - units.actuator_trim;
+  filter_.innovation(units.deviation(y), du_);
+  innovation_.value = filter_.innovation().cwiseProduct(units.sensor_scale);
+  innovation_.variance = filter_.innovation_variance().cwiseProduct(units.sensor_scale.cwiseAbs2());
+  innovation_.variance = innovation_.variance.cwiseMax(error_.innovation_variance());
+}
+
+void GaussMarkovEstimator::update(SensorMask fused, std::int64_t hold) noexcept {
+  filter_.update(fused & set().sensors);
+  if (++held_samples_ >= hold) {
+    held_samples_ = 0;
+    error_.step();
+  }
+  read_out();
+}
+
+void GaussMarkovEstimator::widen(double excess) noexcept {
+  error_.widen(excess);
+  read_out_sigmas();
+}
+
+void GaussMarkovEstimator::read_out() noexcept {
+  estimate_.health = model_->units.health(filter_.health());
+  estimate_.auxiliary = model_->units.auxiliary(filter_.auxiliary());
+  estimate_.health_sigma_filter = set().health_sigma_filter;
+  estimate_.auxiliary_sigma_filter = set().auxiliary_sigma_filter;
+  estimate_.sensors = set().sensors;
+  read_out_sigmas();
+}
+
+void GaussMarkovEstimator::read_out_sigmas() noexcept {
+  estimate_.health_sigma = error_.health_sigma();
+  estimate_.auxiliary_sigma = error_.auxiliary_sigma();
+  estimate_.settled = error_.settled();
+}
+
+}  // namespace ehm::estimation

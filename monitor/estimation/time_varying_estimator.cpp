@@ -1,0 +1,78 @@
+#include "monitor/estimation/time_varying_estimator.h"
+
+#include <utility>
+
+namespace ehm::estimation {
+
+TimeVaryingEstimator::TimeVaryingEstimator(std::shared_ptr<const TimeVaryingModel> model, const PointDistance& distance)
+    : model_(std::move(model)), filter_(model_->model), distance_(distance), du_(model_->units.actuator_trim.size()) {
+  for (Eigen::Index i = 0; i < model_->units.sensor_trim.size(); ++i) all_.set(static_cast<std::size_t>(i));
+  reset();
+}
+
+std::unique_ptr<Estimator> TimeVaryingEstimator::clone() const {
+  return std::make_unique<TimeVaryingEstimator>(model_, distance_);
+}
+
+void TimeVaryingEstimator::reset() noexcept {
+  filter_.reset();
+  excess_ = 1.0;
+  remaining_ = model_->settling_samples;
+  begun_ = false;
+  innovation_.value.setZero(model_->units.sensor_trim.size());
+  innovation_.variance = innovation_.value;
+  estimate_.sensors = all_;
+  read_out();
+}
+
+bool TimeVaryingEstimator::use(SensorMask available) noexcept {
+  if ((available & all_).none()) return false;
+  estimate_.sensors = available & all_;
+  return true;
+}
+
+void TimeVaryingEstimator::predict(const Conditions& before, int steps) noexcept {
+  du_ = before.actuators - model_->units.actuator_trim;
+  for (int k = begun_ ? 0 : 1; k < steps; ++k) filter_.predict(du_);
+  begun_ = true;
+}
+
+void TimeVaryingEstimator::innovate(const SensorVector& y, const Conditions& now) noexcept {
+  const ChannelUnits& units = model_->units;
+  du_ = now.actuators - units.actuator_trim;
+  filter_.innovation(units.deviation(y), du_);
+  innovation_.value = filter_.innovation().cwiseProduct(units.sensor_scale);
+  innovation_.variance = filter_.innovation_variance().cwiseProduct(units.sensor_scale.cwiseAbs2());
+}
+
+void TimeVaryingEstimator::update(SensorMask fused, std::int64_t) noexcept {
+  // What is repeated is not fused, and its variance stays: the hold needs no account of its own here.
+  filter_.update(fused & estimate_.sensors);
+  if (remaining_ > 0) --remaining_;
+  read_out();
+}
+
+void TimeVaryingEstimator::widen(double excess) noexcept {
+  if (excess == excess_) return;
+  excess_ = excess;
+  read_out();
+}
+
+void TimeVaryingEstimator::read_out() noexcept {
+  const ChannelUnits& units = model_->units;
+  estimate_.health = units.health(filter_.health());
+  estimate_.auxiliary = units.auxiliary(filter_.auxiliary());
+  const HealthVector health = filter_.health_variance(), health_offset = filter_.health_offset_variance();
+  const AuxiliaryVector auxiliary = filter_.auxiliary_variance(),
+                        auxiliary_offset = filter_.auxiliary_offset_variance();
+  estimate_.health_sigma_filter = units.health_scale.cwiseProduct(health.cwiseSqrt());
+  estimate_.auxiliary_sigma_filter = units.auxiliary_scale.cwiseProduct(auxiliary.cwiseSqrt());
+  // What is unknown of the health grows with the fleet's spread, the nonlinearity with its square.
+  const double e = excess_;
+  estimate_.health_sigma = units.health_scale.cwiseProduct((e * health + e * e * health_offset).cwiseSqrt());
+  estimate_.auxiliary_sigma =
+      units.auxiliary_scale.cwiseProduct((e * auxiliary + e * e * auxiliary_offset).cwiseSqrt());
+  estimate_.settled = remaining_ <= 0;
+}
+
+}  // namespace ehm::estimation
