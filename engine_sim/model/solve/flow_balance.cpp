@@ -14,22 +14,12 @@ constexpr int most_broyden_steps = 8;
 // A guess further off is not one that Broyden's method should continue from, nor a step that improves less.
 constexpr double largest_start_residual = 0.05, least_improvement = 0.5;
 
-/// x + dx, if that is inside the box and no component is larger than its largest step.
-template <class Step>
-bool advance(std::array<double, flow_unknown_count>& x, const Step& dx) {
-  for (std::size_t i = 0; i < flow_unknown_count; ++i) {
-    const double step = dx(static_cast<Eigen::Index>(i)), moved = x[i] + step;
-    if (!(std::abs(step) <= flow_balance.largest_step[i])) return false;
-    if (moved < flow_balance.lower[i] || moved > flow_balance.upper[i]) return false;
-    x[i] = moved;
-  }
-  return true;
-}
-
 }  // namespace
 
 const Intake& FlowBalance::intake_at(const FlightCondition& flight) {
-  if (!flown_ || !(flown_->flight == flight)) flown_ = Flown{flight, intake(engine_.data().inlet, flight)};
+  if (!flown_ || !(flown_->flight == flight)) {
+    flown_ = Flown{flight, engine_sim::intake(engine_.data().inlet, flight)};
+  }
   return flown_->intake;
 }
 
@@ -60,21 +50,63 @@ bool FlowBalance::broyden(const Held& held, Unknowns& x) {
   return norm < closed;
 }
 
-void FlowBalance::newton(const Held& held, Unknowns& x) {
+NewtonEnd FlowBalance::newton(const Held& held, Unknowns& x) {
   using D = Dual<flow_unknown_count>;
   CycleInput<D> input{held.speeds.n1_rpm, held.speeds.n2_rpm, held.operation.fuel_flow_kg_s, {}};
   std::array<D, flow_unknown_count> r;
-  engine_sim::newton(flow_balance, x, [&](const std::array<D, flow_unknown_count>& trial) {
+  const auto residuals = [&](const std::array<D, flow_unknown_count>& trial) {
     input.unknowns = unpack(trial);
     ++exact_evaluations_;
     return r = engine_.cycle(flown_->intake, held.operation, input, held.metal).flow_residual;
-  });
+  };
+  const NewtonEnd end = try_newton(flow_balance, x, residuals);
+  if (!end.closed) return end;
   Matrix jacobian;
   for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
     jacobian.row(i) = Vector(r[static_cast<std::size_t>(i)].d.data()).transpose();
   }
   inverse_jacobian_ = jacobian.partialPivLu().inverse();
   evaluate(held, x);
+  return end;
+}
+
+NewtonEnd FlowBalance::close(const Held& held, FlowUnknowns& unknowns) {
+  plain_evaluations_ = exact_evaluations_ = 0;
+  NewtonEnd end{true, {}};
+  Unknowns x = pack(unknowns);
+  if (!inverse_jacobian_ || !broyden(held, x)) {
+    inverse_jacobian_.reset();  // what a failed attempt has made of it is not to be trusted
+    x = pack(unknowns);
+    end = newton(held, x);
+    if (!end.closed) return end;
+  }
+  unknowns = {unpack(x)};
+  return end;
+}
+
+GasPathStatus FlowBalance::prepare(const Operation& operation, const SpoolSpeeds& speeds) noexcept {
+  const FlightCondition& flight = operation.flight;
+  if (!covers(flight)) {
+    const bool finite =
+        std::isfinite(flight.altitude_m) && std::isfinite(flight.mach) && std::isfinite(flight.delta_isa_k);
+    return finite ? GasPathStatus::outside_flight : GasPathStatus::not_finite;
+  }
+  if (const auto defect = first_defect(operation)) return defect->kind;
+  if (const auto defect = first_defect(speeds)) return defect->kind;
+  intake_at(flight);
+  return GasPathStatus::ok;
+}
+
+GasPathStatus FlowBalance::try_solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
+                                     GasPath& gas, const MetalTemperatures* metal) noexcept {
+  if (const GasPathStatus status = prepare(operation, speeds); status != GasPathStatus::ok) return status;
+  GasPath found;
+  if (!close({operation, speeds, metal}, unknowns).closed ||
+      engine_.publish(input_, cycle_, found) != FlowDefect::none) {
+    return GasPathStatus::no_solution;
+  }
+  gas = found;
+  return GasPathStatus::ok;
 }
 
 GasPath FlowBalance::solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
@@ -82,15 +114,9 @@ GasPath FlowBalance::solve(const Operation& operation, const SpoolSpeeds& speeds
   require_valid(operation);
   require_valid(speeds);
   intake_at(operation.flight);
-  plain_evaluations_ = exact_evaluations_ = 0;
-  const Held held{operation, speeds, metal};
-  Unknowns x = pack(unknowns);
-  if (!inverse_jacobian_ || !broyden(held, x)) {
-    inverse_jacobian_.reset();  // what a failed attempt has made of it is not to be trusted
-    x = pack(unknowns);
-    newton(held, x);
+  if (const NewtonEnd end = close({operation, speeds, metal}, unknowns); !end.closed) {
+    throw_not_closed(flow_balance, end);
   }
-  unknowns = {unpack(x)};
   return engine_.report(input_, cycle_);
 }
 

@@ -24,6 +24,7 @@ struct GasProperty {
   double by_temperature;
   double by_fuel_air_ratio;
 };
+GasProperty specific_heat_property(double t_k, double fuel_air_ratio);
 GasProperty enthalpy_property(double t_k, double fuel_air_ratio);
 GasProperty entropy_property(double t_k, double fuel_air_ratio);
 
