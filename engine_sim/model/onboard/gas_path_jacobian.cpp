@@ -54,12 +54,14 @@ std::optional<UnknownsSlopes> differentiate(const Turbofan& engine, const Intake
   const auto slopes = unknowns_slopes(cycle.flow_residual);
   if (!slopes) return std::nullopt;
   const GasPathQuantities<D> y = quantities_of(gas);
-  for (int i = 0; i < jacobian.rows(); ++i) {
+  GasPathJacobian total;
+  for (int i = 0; i < total.rows(); ++i) {
     const D& yi = y[static_cast<std::size_t>(i)];
-    ByInputs total = by_inputs(yi);
-    for (int k = 0; k < unknown_count; ++k) total += by_unknowns(yi)(k) * slopes->by_input.row(k);
-    jacobian.row(i) = total;
+    total.row(i) = by_inputs(yi);
+    for (int k = 0; k < unknown_count; ++k) total.row(i) += by_unknowns(yi)(k) * slopes->by_input.row(k);
   }
+  if (!total.allFinite()) return std::nullopt;
+  jacobian = total;
   return slopes;
 }
 

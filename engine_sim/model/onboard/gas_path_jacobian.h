@@ -2,11 +2,10 @@
 // Derivatives of a closed gas path by the implicit function theorem:
 //   r(x, p) = 0:  X_p = -r_x^-1 r_p;   y(x, p):  dy/dp = y_p + y_x X_p
 // x: the six flow unknowns, r: the six flow balances (turbofan.h), p: gas_path_inputs.h, y: gas_path_quantities.h.
-// All partial derivatives come from one evaluation of the cycle in dual numbers; exact but for the variation of the gas
-// constant with the fuel-air ratio, which gas.h carries as zero (some 1e-6 of a derivative).
+// All partial derivatives are exact: they come from one evaluation of the cycle in dual numbers.
 // Shapes: dy/dp 40 x 19, X_p 6 x 19. The first rows and columns are the states', so A, B and L of a linear model are
 // blocks of the top rows, C, D and M those columns of the sensors' rows. Units: quantity per input.
-// Errors: a singular r_x is told as a value. Real-time safe: yes.
+// Errors: a singular r_x, or what is not finite, is told as a value. Real-time safe: yes.
 // Source: Griewank & Walther, Evaluating Derivatives, 2nd ed., chapter 15 (implicit functions).
 
 #include <Eigen/Core>

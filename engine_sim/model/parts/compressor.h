@@ -68,7 +68,7 @@ Compression<S> compress(const CompressorData& data, const Stream<S>& in, const C
   using std::log;
   const S pressure_ratio = 1.0 + data.scale.s_pr * factors.pressure_rise * (at.map.pressure_ratio - 1.0);
   const S efficiency = data.scale.s_eff * factors.efficiency * at.map.efficiency;
-  const S ideal_k = isentropic_temperature(in.tt_k, in.fuel_air_ratio, S(log(pressure_ratio)));
+  const S ideal_k = isentropic_temperature<P>(in.tt_k, in.fuel_air_ratio, S(log(pressure_ratio)));
   const S work_j_kg = (enthalpy(ideal_k, in.fuel_air_ratio) - in.h_j_kg) / efficiency;
   const S h_exit = in.h_j_kg + work_j_kg;
   const S t_exit = temperature_at_enthalpy(h_exit, in.fuel_air_ratio, value(ideal_k));

@@ -50,7 +50,7 @@ NozzleFlow<S> jet(const NozzleData& data, const Stream<S>& in, const S& t_k, con
   const S p_pa = in.pt_pa * exp(-log_pressure_ratio);
   const S velocity_m_s = sqrt(2.0 * (in.h_j_kg - enthalpy(t_k, in.fuel_air_ratio)));
   const P area_m2 = data.area_m2 * area_ratio;
-  const S flow = area_m2 * velocity_m_s * p_pa / (gas_constant(in.fuel_air_ratio) * t_k);
+  const S flow = area_m2 * velocity_m_s * p_pa / (gas_constant<P>(in.fuel_air_ratio) * t_k);
   const S thrust = in.w_kg_s * data.velocity_coefficient * velocity_m_s + (p_pa - ambient_p_pa) * area_m2;
   return {flow, thrust, false};
 }
@@ -60,7 +60,7 @@ template <class S, class P = double>
 NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambient_p_pa, const P& area_ratio = 1.0) {
   using std::log;
   constexpr double lowest_log_ratio = 5e-4;
-  const double r = gas_constant(in.fuel_air_ratio);
+  const auto r = gas_constant<P>(in.fuel_air_ratio);
   const S log_available = log(in.pt_pa / ambient_p_pa);
 
   const S t_sonic = throat_temperature_k<P>(in);
@@ -73,7 +73,7 @@ NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambien
   }
   const bool stalled = value(log_available) < lowest_log_ratio;
   const S log_ratio = stalled ? S(lowest_log_ratio) : log_available;
-  NozzleFlow<S> out = jet(data, in, isentropic_temperature(in.tt_k, in.fuel_air_ratio, S(-log_ratio)), log_ratio,
+  NozzleFlow<S> out = jet(data, in, isentropic_temperature<P>(in.tt_k, in.fuel_air_ratio, S(-log_ratio)), log_ratio,
                           ambient_p_pa, area_ratio);
   // flow ~ sqrt(log ratio) close to zero: its tangent continues it
   if (stalled) {

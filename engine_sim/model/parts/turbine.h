@@ -33,7 +33,7 @@ Expansion<S> expand(const TurbineData& data, const Stream<S>& in, const Stream<S
   const S flow_capacity = capacity_scale * map.flow * in.pt_pa / root_t;
 
   const S efficiency = data.scale.s_eff * factors.efficiency * map.efficiency;
-  const S ideal_k = isentropic_temperature(mixed.tt_k, mixed.fuel_air_ratio, S(-log(pressure_ratio)));
+  const S ideal_k = isentropic_temperature<P>(mixed.tt_k, mixed.fuel_air_ratio, S(-log(pressure_ratio)));
   const S work_j_kg = efficiency * (mixed.h_j_kg - enthalpy(ideal_k, mixed.fuel_air_ratio));
   const S h_exit = mixed.h_j_kg - work_j_kg;
   const S t_exit = temperature_at_enthalpy(h_exit, mixed.fuel_air_ratio, value(ideal_k));

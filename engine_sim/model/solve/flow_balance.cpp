@@ -14,6 +14,12 @@ constexpr int most_broyden_steps = 8;
 // A guess further off is not one that Broyden's method should continue from, nor a step that improves less.
 constexpr double largest_start_residual = 0.05, least_improvement = 0.5;
 
+/// Not a number if one of them is none.
+template <class Vector>
+double largest(const Vector& r) {
+  return r.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+}
+
 }  // namespace
 
 const Intake& FlowBalance::intake_at(const FlightCondition& flight) {
@@ -33,13 +39,13 @@ FlowBalance::Vector FlowBalance::evaluate(const Held& held, const Unknowns& x) {
 bool FlowBalance::broyden(const Held& held, Unknowns& x) {
   Matrix& h = *inverse_jacobian_;
   Vector r = evaluate(held, x);
-  double norm = r.lpNorm<Eigen::Infinity>();
+  double norm = largest(r);
   if (!(norm < largest_start_residual)) return false;
   for (int i = 0; i < most_broyden_steps && norm >= closed; ++i) {
     const Vector dx = -h * r;
     if (!advance(x, dx)) return false;
     const Vector r_next = evaluate(held, x);
-    const double next = r_next.lpNorm<Eigen::Infinity>();
+    const double next = largest(r_next);
     if (!(next < least_improvement * norm)) return false;
     const Vector hy = h * (r_next - r);
     const Vector correction = (dx - hy) / dx.dot(hy);
