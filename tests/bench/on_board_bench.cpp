@@ -91,17 +91,19 @@ void require(GasPathStatus status) {
   failures += status != GasPathStatus::ok;
 }
 
+constexpr std::size_t refusal_period = 50;
+
 int run(int repetitions) {
   const Turbofan engine(jt9d());
   const std::vector<ThrottleSlam> all = slams(engine);
   const std::vector<Asked> asked = what_an_estimator_asks(engine, all);
   const std::size_t n = asked.size();
-  Times step(n), plain(n), refreshed(n), derived(n), without_metal(n);
+  Times step(n), plain(n), refreshed(n), derived(n), without_metal(n), refused(n / refusal_period);
   GasPath gas;
   GasPathJacobian jacobian;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     std::optional<Transient> flight;
-    OnBoardEngine a(engine), b(engine), c(engine), d(engine);
+    OnBoardEngine a(engine), b(engine), c(engine), d(engine), e(engine);
     for (std::size_t k = 0; k < n; ++k) {
       const auto& [operation, speeds, metal] = asked[k];
       const Operation commanded = operation_at(all, k);
@@ -115,6 +117,10 @@ int run(int repetitions) {
       if (k % 20 == 0) require(b.evaluate(operation, speeds, gas, jacobian, &metal));
       derived.measure(k, [&] { require(c.evaluate(operation, speeds, gas, jacobian, &metal)); });
       without_metal.measure(k, [&] { require(d.evaluate(operation, speeds, gas, jacobian)); });
+      if (k % refusal_period != 0) continue;
+      Operation flooded = operation;
+      flooded.fuel_flow_kg_s *= 20.0;
+      refused.measure(k / refusal_period, [&] { e.evaluate(flooded, speeds, gas, &metal); });
     }
   }
   const double reference_us = step.quantile(0.5);
@@ -124,6 +130,7 @@ int run(int repetitions) {
   print("values, derivatives every 20 samples between", refreshed, reference_us);
   print("values and derivatives, every sample", derived, reference_us);
   print("the same without heat soak", without_metal, reference_us);
+  print("no solution (twenty times the fuel)", refused, reference_us);
   if (failures > 0) std::printf("%d evaluations without an answer\n", failures);
   return failures > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
 }

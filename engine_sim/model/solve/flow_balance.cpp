@@ -8,6 +8,12 @@ namespace {
 
 constexpr NewtonProblem<flow_unknown_count> flow_balance{flow_balance_names, flow_unknown_box::lower,
                                                          flow_unknown_box::upper, flow_unknown_box::largest_step};
+/// For try_solve(): what succeeds from a start anywhere needs 8 evaluations in the mean, 99.8 % need 20 or fewer.
+constexpr NewtonProblem<flow_unknown_count> flow_balance_in_time = [] {
+  auto problem = flow_balance;
+  problem.max_evaluations = 30;
+  return problem;
+}();
 // Newton's last step goes far below its tolerance; this one stops as soon as conservation to 1e-9 is safe.
 constexpr double closed = 1e-10;
 constexpr int most_broyden_steps = 8;
@@ -56,7 +62,7 @@ bool FlowBalance::broyden(const Held& held, Unknowns& x) {
   return norm < closed;
 }
 
-NewtonEnd FlowBalance::newton(const Held& held, Unknowns& x) {
+NewtonEnd FlowBalance::newton(const Problem& problem, const Held& held, Unknowns& x) {
   using D = Dual<flow_unknown_count>;
   CycleInput<D> input{held.speeds.n1_rpm, held.speeds.n2_rpm, held.operation.fuel_flow_kg_s, {}};
   std::array<D, flow_unknown_count> r;
@@ -65,7 +71,7 @@ NewtonEnd FlowBalance::newton(const Held& held, Unknowns& x) {
     ++exact_evaluations_;
     return r = engine_.cycle(flown_->intake, held.operation, input, held.metal).flow_residual;
   };
-  const NewtonEnd end = try_newton(flow_balance, x, residuals);
+  const NewtonEnd end = try_newton(problem, x, residuals);
   if (!end.closed) return end;
   Matrix jacobian;
   for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
@@ -76,14 +82,14 @@ NewtonEnd FlowBalance::newton(const Held& held, Unknowns& x) {
   return end;
 }
 
-NewtonEnd FlowBalance::close(const Held& held, FlowUnknowns& unknowns) {
+NewtonEnd FlowBalance::close(const Problem& problem, const Held& held, FlowUnknowns& unknowns) {
   plain_evaluations_ = exact_evaluations_ = 0;
   NewtonEnd end{true, {}};
   Unknowns x = pack(unknowns);
   if (!inverse_jacobian_ || !broyden(held, x)) {
     inverse_jacobian_.reset();  // what a failed attempt has made of it is not to be trusted
     x = pack(unknowns);
-    end = newton(held, x);
+    end = newton(problem, held, x);
     if (!end.closed) return end;
   }
   unknowns = {unpack(x)};
@@ -107,7 +113,7 @@ GasPathStatus FlowBalance::try_solve(const Operation& operation, const SpoolSpee
                                      GasPath& gas, const MetalTemperatures* metal) noexcept {
   if (const GasPathStatus status = prepare(operation, speeds); status != GasPathStatus::ok) return status;
   GasPath found;
-  if (!close({operation, speeds, metal}, unknowns).closed ||
+  if (!close(flow_balance_in_time, {operation, speeds, metal}, unknowns).closed ||
       engine_.publish(input_, cycle_, found) != FlowDefect::none) {
     return GasPathStatus::no_solution;
   }
@@ -120,7 +126,7 @@ GasPath FlowBalance::solve(const Operation& operation, const SpoolSpeeds& speeds
   require_valid(operation);
   require_valid(speeds);
   intake_at(operation.flight);
-  if (const NewtonEnd end = close({operation, speeds, metal}, unknowns); !end.closed) {
+  if (const NewtonEnd end = close(flow_balance, {operation, speeds, metal}, unknowns); !end.closed) {
     throw_not_closed(flow_balance, end);
   }
   return engine_.report(input_, cycle_);

@@ -25,7 +25,7 @@ class FlowBalance {
   GasPathStatus prepare(const Operation& operation, const SpoolSpeeds& speeds) noexcept;
 
   /// Closes the balances from the guess `unknowns`, which it updates; `metal`: temperatures for the heat soak, or none.
-  /// Unless the status is ok, `gas` keeps what it held. Real-time safe: yes; allocates and throws nothing.
+  /// Unless the status is ok, `gas` keeps what it held. Gives up after 30 exact evaluations. Real-time safe: yes; allocates and throws nothing.
   GasPathStatus try_solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns, GasPath& gas,
                           const MetalTemperatures* metal = nullptr) noexcept;
 
@@ -45,6 +45,7 @@ class FlowBalance {
  private:
   using Vector = Eigen::Matrix<double, flow_unknown_count, 1>;
   using Unknowns = std::array<double, flow_unknown_count>;
+  using Problem = NewtonProblem<flow_unknown_count>;
   /// All that is held while the unknowns are sought.
   struct Held {
     const Operation& operation;
@@ -55,9 +56,9 @@ class FlowBalance {
   const Intake& intake_at(const FlightCondition& flight);
   Vector evaluate(const Held& held, const Unknowns& x);
   bool broyden(const Held& held, Unknowns& x);
-  NewtonEnd newton(const Held& held, Unknowns& x);
+  NewtonEnd newton(const Problem& problem, const Held& held, Unknowns& x);
   /// Input and flight condition have been checked.
-  NewtonEnd close(const Held& held, FlowUnknowns& unknowns);
+  NewtonEnd close(const Problem& problem, const Held& held, FlowUnknowns& unknowns);
 
   struct Flown {
     FlightCondition flight;

@@ -34,6 +34,7 @@ struct NewtonProblem {
   std::array<double, N> lower, upper, largest_step;
   double tolerance = 1e-11;  ///< on max|r|
   int max_iterations = 40;
+  int max_evaluations = std::numeric_limits<int>::max();  ///< for who must have an answer in time
 };
 
 struct NewtonReport {
@@ -96,7 +97,9 @@ Eigen::Matrix<double, N, 1> limited_step(const NewtonProblem<N>& problem, const 
 template <std::size_t N, class Residuals>
 NewtonEnd try_newton(const NewtonProblem<N>& problem, std::array<double, N>& x, Residuals&& residuals) {
   using namespace newton_detail;
+  int evaluations = 0;
   const auto evaluate = [&](const std::array<double, N>& at) {
+    ++evaluations;
     std::array<Dual<N>, N> seeded;
     for (std::size_t i = 0; i < N; ++i) seeded[i] = Dual<N>::variable(at[i], i);
     return residuals(seeded);
@@ -105,7 +108,7 @@ NewtonEnd try_newton(const NewtonProblem<N>& problem, std::array<double, N>& x, 
   double norm = largest(r);
   for (int iteration = 0; iteration < problem.max_iterations; ++iteration) {
     if (norm < problem.tolerance) return {true, {iteration, norm}};
-    if (!std::isfinite(norm)) return not_closed(r, iteration, norm);
+    if (!std::isfinite(norm) || evaluations >= problem.max_evaluations) return not_closed(r, iteration, norm);
     const Eigen::Matrix<double, static_cast<int>(N), 1> step = limited_step(problem, r);
     if (!step.allFinite()) return not_closed(r, iteration, norm);
     double damping = 1.0;
@@ -123,7 +126,7 @@ NewtonEnd try_newton(const NewtonProblem<N>& problem, std::array<double, N>& x, 
         norm = trial_norm;
         break;
       }
-      if (halving == 12) return not_closed(r, iteration, norm);
+      if (halving == 12 || evaluations >= problem.max_evaluations) return not_closed(r, iteration, norm);
     }
   }
   if (norm < problem.tolerance) return {true, {problem.max_iterations, norm}};
