@@ -60,7 +60,8 @@ struct CycleInput {
 /// than the gas data cover, the HPC's exit area is choked.
 enum class FlowDefect { none, core_nozzle, bypass_nozzle, combustor, hpc_exit };
 
-/// Whether a gas path was found, as a value; otherwise what was outside its range. Geometry and off-take are `controls`.
+/// Whether a gas path was found, and why not: what was outside its range (controls: geometry and off-take), or not a
+/// finite number, or the flows do not balance.
 enum class GasPathStatus {
   ok,
   no_solution,
@@ -114,7 +115,7 @@ class Turbofan {
   EngineData data_;
 };
 
-/// Of all but the flight condition (covers() in inlet.h).
+/// None if all is within its range. The flight condition has covers() in inlet.h.
 std::optional<InputDefect> first_defect(const Operation& operation) noexcept;
 std::optional<InputDefect> first_defect(const SpoolSpeeds& speeds) noexcept;
 

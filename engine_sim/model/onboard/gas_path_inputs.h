@@ -11,7 +11,6 @@
 
 namespace ehm::engine_sim {
 
-/// Places; health parameter h of gas_path.h has first_health + h.
 namespace gas_path_input {
 enum Place : std::size_t {
   n1,
@@ -24,6 +23,9 @@ enum Place : std::size_t {
   first_health,
   count = first_health + health_count
 };
+constexpr std::size_t of(Health parameter) {
+  return first_health + static_cast<std::size_t>(parameter);
+}
 inline constexpr std::array<std::string_view, first_health> names_before_health{
     "n1_rpm",         "n2_rpm",  "metal_hpc_k",  "metal_hpt_k",           "metal_lpt_k",
     "fuel_flow_kg_s", "vsv_deg", "vbv_fraction", "core_nozzle_area_ratio"};

@@ -25,11 +25,12 @@ class FlowBalance {
   GasPathStatus prepare(const Operation& operation, const SpoolSpeeds& speeds) noexcept;
 
   /// Closes the balances from the guess `unknowns`, which it updates; `metal`: temperatures for the heat soak, or none.
-  /// Unless the status is ok, `gas` keeps what it held. Gives up after 30 exact evaluations. Real-time safe: yes; allocates and throws nothing.
+  /// Unless the status is ok, `gas` keeps what it held. Gives up after 30 exact evaluations.
+  /// Real-time safe: yes; allocates and throws nothing.
   GasPathStatus try_solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns, GasPath& gas,
                           const MetalTemperatures* metal = nullptr) noexcept;
 
-  /// The same. Real-time safe: yes, unless it throws.
+  /// The same, but it searches on to the end. Real-time safe: yes, unless it throws.
   /// @throws as Turbofan::gas_path
   GasPath solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
                 const MetalTemperatures* metal = nullptr);

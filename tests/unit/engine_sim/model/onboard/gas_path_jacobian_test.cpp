@@ -165,12 +165,12 @@ TEST(GasPathQuantities, HaveTheirNamesOnce) {
   gas.s50.w_kg_s = 3.0;
   gas.ps_30_pa = 4.0;
   gas.n2_dot_rpm_s = 5.0;
-  gas.stall_margin_lpc_percent = 6.0;
+  gas.stall_margin_hpc_percent = 6.0;
   gas.net_thrust_n = 7.0;
   gas.metal_dot_k_s[lpt_metal] = 8.0;
   const auto y = quantities_of(gas);
   double expected = 0.0;
-  for (const char* quantity : {"pt_24_pa", "tt_48_k", "w_50_kg_s", "ps_30_pa", "n2_dot_rpm_s", "stall_margin_lpc",
+  for (const char* quantity : {"pt_24_pa", "tt_48_k", "w_50_kg_s", "ps_30_pa", "n2_dot_rpm_s", "stall_margin_hpc",
                                "net_thrust_n", "metal_lpt_dot_k_s"}) {
     ASSERT_TRUE(place(quantity)) << quantity;
     EXPECT_EQ(y[*place(quantity)], expected += 1.0) << quantity;
