@@ -8,7 +8,9 @@
 // Units SI. Source: Walsh & Fletcher, chapter 7 (matching); component equations in each component's header.
 
 #include <array>
+#include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include "engine_sim/model/engine_data.h"
 #include "engine_sim/model/gas_path.h"
@@ -21,14 +23,16 @@
 namespace ehm::engine_sim {
 
 /// All that acts on the engine from outside.
-struct Operation {
+template <class S>
+struct OperationOf {
   FlightCondition flight{};
-  HealthVector health{};
-  double fuel_flow_kg_s = 0.0;
-  Geometry geometry{};
+  HealthVectorOf<S> health{};
+  S fuel_flow_kg_s = 0.0;
+  GeometryOf<S> geometry{};
   Offtake offtake{};
-  bool operator==(const Operation&) const = default;
+  bool operator==(const OperationOf&) const = default;
 };
+using Operation = OperationOf<double>;
 
 inline constexpr std::array<std::string_view, flow_unknown_count> flow_balance_names{
     "LPC flow", "HPC flow", "HPT flow", "LPT flow", "core nozzle flow", "bypass nozzle flow"};
@@ -41,7 +45,7 @@ struct Cycle {
   S gross_thrust_n, net_thrust_n;
   S core_nozzle_pressure_ratio, bypass_nozzle_pressure_ratio;
   Compression<S> fan, lpc, hpc;
-  std::array<S, metal_count> metal_heat_w{};
+  MetalTemperaturesOf<S> metal_heat_w{};
   std::array<S, flow_unknown_count> flow_residual;
 };
 
@@ -50,6 +54,31 @@ template <class S>
 struct CycleInput {
   S n1_rpm, n2_rpm, fuel_flow_kg_s;
   FlowUnknownsOf<S> unknowns;
+};
+
+/// What cannot flow in a closed cycle: a nozzle has no pressure ratio left, the combustor no air or more fuel or heat
+/// than the gas data cover, the HPC's exit area is choked.
+enum class FlowDefect { none, core_nozzle, bypass_nozzle, combustor, hpc_exit };
+
+/// Whether a gas path was found, and why not: what was outside its range (controls: geometry and off-take), or not a
+/// finite number, or the flows do not balance.
+enum class GasPathStatus {
+  ok,
+  no_solution,
+  not_finite,
+  outside_flight,
+  outside_speeds,
+  outside_fuel,
+  outside_health,
+  outside_controls
+};
+
+/// The first value outside its range; `kind` is not_finite or what it belongs to.
+struct InputDefect {
+  GasPathStatus kind;
+  std::string_view key;
+  double value;
+  const char* range;
 };
 
 class Turbofan {
@@ -66,11 +95,17 @@ class Turbofan {
                    const MetalTemperatures* metal = nullptr) const;
 
   /// One evaluation along the station diagram; balances need not be closed. The fuel flow is that of `input`.
-  template <class S>
-  Cycle<S> cycle(const Intake& intake, const Operation& operation, const CycleInput<S>& input,
-                 const MetalTemperatures* metal = nullptr) const;
+  /// S: scalar of the cycle; P: of health, geometry and metal temperatures, S or double.
+  template <class S, class P>
+  Cycle<S> cycle(const Intake& intake, const OperationOf<P>& operation, const CycleInput<S>& input,
+                 const std::type_identity_t<MetalTemperaturesOf<P>>* metal = nullptr) const noexcept;
 
-  /// What is published of a closed cycle.
+  /// What is published of a closed cycle, in its scalar or as plain values (T double); where something cannot flow,
+  /// `gas` is not complete.
+  template <class S, class T>
+  FlowDefect publish(const CycleInput<S>& input, const Cycle<S>& cycle, GasPathOf<T>& gas) const noexcept;
+
+  /// The same. @throws SolveError if something cannot flow
   template <class S>
   GasPath report(const CycleInput<S>& input, const Cycle<S>& cycle) const;
 
@@ -79,6 +114,10 @@ class Turbofan {
  private:
   EngineData data_;
 };
+
+/// None if all is within its range. The flight condition has covers() in inlet.h.
+std::optional<InputDefect> first_defect(const Operation& operation) noexcept;
+std::optional<InputDefect> first_defect(const SpoolSpeeds& speeds) noexcept;
 
 /// @throws std::invalid_argument if a value is not finite or outside its range; the message names key, value and range
 void require_valid(const Operation& operation);

@@ -11,7 +11,7 @@ command -v valgrind >/dev/null || { echo "instructions.sh: valgrind is missing; 
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-if ! valgrind --tool=callgrind --toggle-collect='ehm::engine::SlamFlight::step()' \
+if ! valgrind --tool=callgrind --toggle-collect='ehm::engine_sim::SlamFlight::step()' \
   --callgrind-out-file="$folder/counts" "$program" >"$folder/out" 2>"$folder/log"; then
   cat "$folder/log" >&2
   exit 1

@@ -34,11 +34,15 @@ CompressorMap::Values CompressorMap::values(double speed, double r_line) const {
           positive(surface(n, r, data_.efficiency, columns))};
 }
 
-double CompressorMap::surge_pressure_ratio(double flow) const {
+CompressorMap::SurgeValue CompressorMap::surge(double flow) const {
   const BasisValues w = surge_.at(flow);
-  double pressure_ratio = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) pressure_ratio += w.b[i] * data_.surge_pressure_ratio[w.first + i];
-  return pressure_ratio;
+  SurgeValue s{0.0, 0.0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double coefficient = data_.surge_pressure_ratio[w.first + i];
+    s.pressure_ratio += w.b[static_cast<Eigen::Index>(i)] * coefficient;
+    s.by_flow += w.slope[static_cast<Eigen::Index>(i)] * coefficient;
+  }
+  return s;
 }
 
 }  // namespace ehm::engine_sim

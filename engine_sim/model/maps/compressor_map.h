@@ -48,13 +48,19 @@ class CompressorMap {
   /// Real-time safe: yes.
   template <class S>
   CompressorMapPoint<S> at(const S& speed, const S& r_line) const;
-  double surge_pressure_ratio(double flow) const;
+  template <class S>
+  S surge_pressure_ratio(const S& flow) const;
 
  private:
   struct Values {
     SurfaceValue flow, pressure, efficiency;
   };
   Values values(double speed, double r_line) const;
+  /// Surge line and its slope.
+  struct SurgeValue {
+    double pressure_ratio, by_flow;
+  };
+  SurgeValue surge(double flow) const;
   static constexpr double choke_rate = 0.5;
 
   CompressorMapData data_;
@@ -74,6 +80,12 @@ CompressorMapPoint<S> CompressorMap::at(const S& speed, const S& r_line) const {
           value(r_line) > data_.last_r_line
               ? S(exp(-choke_rate * (r_line - data_.last_r_line) * (r_line - data_.last_r_line)))
               : S(1.0)};
+}
+
+template <class S>
+S CompressorMap::surge_pressure_ratio(const S& flow) const {
+  const SurgeValue s = surge(value(flow));
+  return chain(s.pressure_ratio, s.by_flow, flow);
 }
 
 }  // namespace ehm::engine_sim

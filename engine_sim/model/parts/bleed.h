@@ -29,9 +29,9 @@ Stream<S> at_port(const Stream<S>& in, const Compression<S>& compressor, const S
 }
 
 /// `in`: HPC inlet; `exit`: its exit as the bleeds find it (behind the heat soak).
-template <class S>
+template <class S, class P>
 Bleeds<S> bleed_off(const Stream<S>& in, const Compression<S>& compressor, const Stream<S>& exit,
-                    const SecondaryAir& air, double customer_bleed_kg_s) {
+                    const SecondaryAir& air, const P& customer_bleed_kg_s) {
   const S w = in.w_kg_s;
   const double lpt = air.lpt_inlet + air.lpt_exit, hpt = air.hpt_inlet + air.hpt_exit;
   Bleeds<S> out;

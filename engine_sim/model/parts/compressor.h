@@ -5,7 +5,7 @@
 //   phi(T2s) = phi(T1) + R ln PR;  h2 = h1 + (h(T2s) - h1)/eff
 // f: factors of health and of stator vanes off schedule, f_W = (1 + h_flow)(1 - a_W a), and so on (engine_data.h).
 // A stream that leaves at a port where the fraction w of the work is done has h1 + w (h2 - h1); power counts it so.
-// theta = T1/288.15 K, delta = P1/14.696 psia. Units SI; map flow in lbm/s. Errors: none; a non-finite state stays
+// S is the scalar of the state, P that of the factors. theta = T1/288.15 K, delta = P1/14.696 psia. Units SI; map flow in lbm/s. Errors: none; a non-finite state stays
 // non-finite. Source: Walsh & Fletcher, chapter 5; scaling of NPSS and T-MATS (engine_data.h).
 
 #include "engine_sim/model/engine_data.h"
@@ -15,18 +15,21 @@
 namespace ehm::engine_sim {
 
 /// Health of one component: deviations of efficiency and flow capacity from nominal, as fractions.
+template <class P>
 struct ComponentHealth {
-  double efficiency;
-  double flow;
+  P efficiency;
+  P flow;
 };
 
 /// What multiplies a scaled map.
+template <class P>
 struct MapFactors {
-  double flow = 1.0, pressure_rise = 1.0, efficiency = 1.0;
+  P flow = 1.0, pressure_rise = 1.0, efficiency = 1.0;
 };
 
-inline MapFactors map_factors(const ComponentHealth& health, const VaneData& vanes = {},
-                              double off_schedule_deg = 0.0) {
+template <class P>
+MapFactors<P> map_factors(const ComponentHealth<P>& health, const VaneData& vanes = {},
+                          const P& off_schedule_deg = 0.0) {
   return {(1.0 + health.flow) * (1.0 - vanes.flow_per_deg * off_schedule_deg),
           1.0 - vanes.pressure_rise_per_deg * off_schedule_deg,
           (1.0 + health.efficiency) * (1.0 - vanes.efficiency_per_deg2 * off_schedule_deg * off_schedule_deg)};
@@ -48,24 +51,24 @@ struct CompressorWorking {
   S flow_capacity_kg_s;
 };
 
-template <class S>
+template <class S, class P>
 CompressorWorking<S> read_map(const CompressorData& data, const S& pt_pa, const S& tt_k, const S& speed_rpm,
-                              const S& r_line, const MapFactors& factors) {
+                              const S& r_line, const MapFactors<P>& factors) {
   using std::sqrt;
   const S root_theta = sqrt(tt_k / reference_temperature_k);
   const CompressorMapPoint<S> map = data.map.at(S(speed_rpm / (root_theta * data.scale.s_nc)), r_line);
   // W = Wc delta / sqrt(theta)
-  const double capacity_scale = data.scale.s_wc * factors.flow * kg_per_lbm / reference_pressure_pa;
+  const P capacity_scale = data.scale.s_wc * factors.flow * kg_per_lbm / reference_pressure_pa;
   return {map, capacity_scale * map.flow * pt_pa / root_theta};
 }
 
-template <class S>
+template <class S, class P>
 Compression<S> compress(const CompressorData& data, const Stream<S>& in, const CompressorWorking<S>& at,
-                        const MapFactors& factors) {
+                        const MapFactors<P>& factors) {
   using std::log;
   const S pressure_ratio = 1.0 + data.scale.s_pr * factors.pressure_rise * (at.map.pressure_ratio - 1.0);
   const S efficiency = data.scale.s_eff * factors.efficiency * at.map.efficiency;
-  const S ideal_k = isentropic_temperature(in.tt_k, in.fuel_air_ratio, S(log(pressure_ratio)));
+  const S ideal_k = isentropic_temperature<P>(in.tt_k, in.fuel_air_ratio, S(log(pressure_ratio)));
   const S work_j_kg = (enthalpy(ideal_k, in.fuel_air_ratio) - in.h_j_kg) / efficiency;
   const S h_exit = in.h_j_kg + work_j_kg;
   const S t_exit = temperature_at_enthalpy(h_exit, in.fuel_air_ratio, value(ideal_k));
@@ -74,9 +77,10 @@ Compression<S> compress(const CompressorData& data, const Stream<S>& in, const C
 }
 
 /// Percent: 100 (PRsurge at the working corrected flow / working PR - 1), both from the unscaled map.
-template <class S>
-double stall_margin_percent(const CompressorData& data, const Compression<S>& at) {
-  return 100.0 * (data.map.surge_pressure_ratio(value(at.map_flow)) / value(at.map_pressure_ratio) - 1.0);
+/// T: the state's scalar, or double for the value alone.
+template <class T, class S>
+T stall_margin_percent(const CompressorData& data, const Compression<S>& at) {
+  return 100.0 * (data.map.surge_pressure_ratio(carried<T>(at.map_flow)) / carried<T>(at.map_pressure_ratio) - 1.0);
 }
 
 }  // namespace ehm::engine_sim

@@ -14,7 +14,9 @@ namespace ehm::engine_sim {
 /// Order of the lumps: behind the HPC, the HPT, the LPT.
 enum Metal : std::size_t { hpc_metal, hpt_metal, lpt_metal };
 inline constexpr std::size_t metal_count = 3;
-using MetalTemperatures = std::array<double, metal_count>;
+template <class S>
+using MetalTemperaturesOf = std::array<S, metal_count>;
+using MetalTemperatures = MetalTemperaturesOf<double>;
 
 struct HeatSoakData {
   double conductance_w_k;
@@ -27,8 +29,8 @@ struct Soaked {
   S heat_w;  ///< from the gas to the metal
 };
 
-template <class S>
-Soaked<S> soak(const HeatSoakData& data, const Stream<S>& in, double metal_k) {
+template <class S, class P>
+Soaked<S> soak(const HeatSoakData& data, const Stream<S>& in, const P& metal_k) {
   const S heat_w = data.conductance_w_k * (in.tt_k - metal_k);
   Stream<S> out = in;
   out.h_j_kg = in.h_j_kg - heat_w / in.w_kg_s;

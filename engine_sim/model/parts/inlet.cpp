@@ -19,10 +19,18 @@ double interpolate(const std::vector<RamRecovery>& table, double mach) {
   return below->recovery + (above->recovery - below->recovery) * (mach - below->mach) / (above->mach - below->mach);
 }
 
+bool covers_mach(double mach) {
+  return mach >= 0.0 && mach <= 0.95;
+}
+
 }  // namespace
 
+bool covers(const FlightCondition& flight) noexcept {
+  return covers_mach(flight.mach) && covers_altitude(flight.altitude_m) && covers_offset(flight.delta_isa_k);
+}
+
 Intake intake(const InletData& inlet, const FlightCondition& flight) {
-  if (!(flight.mach >= 0.0 && flight.mach <= 0.95)) {
+  if (!covers_mach(flight.mach)) {
     throw std::out_of_range("inlet: mach = " + std::to_string(flight.mach) + " is outside 0 to 0.95");
   }
   const Ambient ambient = atmosphere(flight.altitude_m, flight.delta_isa_k);

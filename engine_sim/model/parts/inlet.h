@@ -19,6 +19,9 @@ struct Intake {
   double flight_speed_m_s;
 };
 
+/// Whether intake() covers the flight condition: Mach number 0 to 0.95, and as atmosphere(); it throws nothing then.
+bool covers(const FlightCondition& flight) noexcept;
+
 Intake intake(const InletData& inlet, const FlightCondition& flight);
 
 }  // namespace ehm::engine_sim

@@ -19,4 +19,16 @@ double sonic_temperature_k(double tt_k, double total_h_j_kg, double fuel_air_rat
   return t;
 }
 
+GasTemperature sonic_temperature(double tt_k, double total_h_j_kg, double fuel_air_ratio) {
+  const double t = sonic_temperature_k(tt_k, total_h_j_kg, fuel_air_ratio);
+  const double r = gas_constant_j_kgk(fuel_air_ratio), r_by_f = gas_constant_slope_j_kgk(fuel_air_ratio);
+  const GasProperty cp = specific_heat_property(t, fuel_air_ratio), h = enthalpy_property(t, fuel_air_ratio);
+  const double cv = cp.value - r, gamma = cp.value / cv, gamma_by_cp = -r / (cv * cv), gamma_by_r = gamma / cv;
+  const double gamma_by_f = gamma_by_cp * cp.by_fuel_air_ratio + gamma_by_r * r_by_f;
+  // (2 cp + gamma R + R T gamma_T) dT = 2 dht - (2 h_f + R T gamma_f + gamma T R_f) df
+  const double slope = 2.0 * cp.value + gamma * r + r * t * gamma_by_cp * cp.by_temperature;
+  const double by_f = 2.0 * h.by_fuel_air_ratio + r * t * gamma_by_f + gamma * t * r_by_f;
+  return {t, 2.0 / slope, -by_f / slope};
+}
+
 }  // namespace ehm::engine_sim

@@ -8,6 +8,8 @@
 // Units: Pa, K, m2, m/s, kg/s, N. Errors: none here; turbofan.cpp refuses a solution with Pt <= p_ambient.
 // Source: Walsh & Fletcher, chapter 5 (propelling nozzles), Q curves of chapter 3 with variable cp.
 
+#include <type_traits>
+
 #include "engine_sim/model/engine_data.h"
 #include "engine_sim/model/thermo/stream.h"
 
@@ -23,31 +25,45 @@ struct NozzleFlow {
 /// Static temperature at which gas of the total temperature tt_k and enthalpy h(tt_k) reaches the speed of sound:
 /// 2 (ht - h(T)) = gamma(T) R T.
 double sonic_temperature_k(double tt_k, double total_h_j_kg, double fuel_air_ratio);
+/// The same with its partial derivatives by the total enthalpy and the fuel-air ratio.
+GasTemperature sonic_temperature(double tt_k, double total_h_j_kg, double fuel_air_ratio);
+
+/// At the throat of a choked nozzle flow and impulse are stationary along the isentrope, so the sonic temperature may be
+/// held while they are differentiated: the flow's derivative is exact, the thrust's but for the factor Cv, which is
+/// enough for Newton's method. With derivatives by parameters (P a dual number) it carries its own.
+template <class P, class S>
+S throat_temperature_k(const Stream<S>& in) {
+  const double tt_k = value(in.tt_k), h_j_kg = value(in.h_j_kg), f = value(in.fuel_air_ratio);
+  if constexpr (std::is_same_v<P, double>) {
+    return S(sonic_temperature_k(tt_k, h_j_kg, f));
+  } else {
+    const GasTemperature t = sonic_temperature(tt_k, h_j_kg, f);
+    return chain(t.t_k, t.by_target, in.h_j_kg, t.by_fuel_air_ratio, in.fuel_air_ratio);
+  }
+}
 
 /// The jet when it expands to the static temperature t_k.
-template <class S>
+template <class S, class P>
 NozzleFlow<S> jet(const NozzleData& data, const Stream<S>& in, const S& t_k, const S& log_pressure_ratio,
-                  double ambient_p_pa, double area_ratio) {
+                  double ambient_p_pa, const P& area_ratio) {
   using std::exp, std::sqrt;
   const S p_pa = in.pt_pa * exp(-log_pressure_ratio);
   const S velocity_m_s = sqrt(2.0 * (in.h_j_kg - enthalpy(t_k, in.fuel_air_ratio)));
-  const double area_m2 = data.area_m2 * area_ratio;
-  const S flow = area_m2 * velocity_m_s * p_pa / (gas_constant(in.fuel_air_ratio) * t_k);
+  const P area_m2 = data.area_m2 * area_ratio;
+  const S flow = area_m2 * velocity_m_s * p_pa / (gas_constant<P>(in.fuel_air_ratio) * t_k);
   const S thrust = in.w_kg_s * data.velocity_coefficient * velocity_m_s + (p_pa - ambient_p_pa) * area_m2;
   return {flow, thrust, false};
 }
 
 /// `area_ratio`: of a variable nozzle, to the nominal area.
-template <class S>
-NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambient_p_pa, double area_ratio = 1.0) {
+template <class S, class P = double>
+NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambient_p_pa, const P& area_ratio = 1.0) {
   using std::log;
   constexpr double lowest_log_ratio = 5e-4;
-  const double r = gas_constant(in.fuel_air_ratio);
+  const auto r = gas_constant<P>(in.fuel_air_ratio);
   const S log_available = log(in.pt_pa / ambient_p_pa);
 
-  // At the throat of a choked nozzle flow and impulse are stationary along the isentrope, so the sonic temperature may
-  // be held while they are differentiated: the flow's derivative is exact, the thrust's but for the factor Cv.
-  const S t_sonic = S(sonic_temperature_k(value(in.tt_k), value(in.h_j_kg), value(in.fuel_air_ratio)));
+  const S t_sonic = throat_temperature_k<P>(in);
   const S log_critical =
       (entropy_function(in.tt_k, in.fuel_air_ratio) - entropy_function(t_sonic, in.fuel_air_ratio)) / r;
   if (value(log_available) >= value(log_critical)) {
@@ -57,7 +73,7 @@ NozzleFlow<S> exhaust(const NozzleData& data, const Stream<S>& in, double ambien
   }
   const bool stalled = value(log_available) < lowest_log_ratio;
   const S log_ratio = stalled ? S(lowest_log_ratio) : log_available;
-  NozzleFlow<S> out = jet(data, in, isentropic_temperature(in.tt_k, in.fuel_air_ratio, S(-log_ratio)), log_ratio,
+  NozzleFlow<S> out = jet(data, in, isentropic_temperature<P>(in.tt_k, in.fuel_air_ratio, S(-log_ratio)), log_ratio,
                           ambient_p_pa, area_ratio);
   // flow ~ sqrt(log ratio) close to zero: its tangent continues it
   if (stalled) {

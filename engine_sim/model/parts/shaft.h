@@ -7,7 +7,8 @@
 
 namespace ehm::engine_sim {
 
-inline double shaft_acceleration_rpm_s(double surplus_power_w, double speed_rpm, double inertia_kg_m2) {
+template <class S>
+S shaft_acceleration_rpm_s(const S& surplus_power_w, const S& speed_rpm, double inertia_kg_m2) {
   return surplus_power_w / (inertia_kg_m2 * speed_rpm * rad_s_per_rpm * rad_s_per_rpm);
 }
 

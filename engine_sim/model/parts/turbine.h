@@ -22,18 +22,18 @@ struct Expansion {
 };
 
 /// `in`: before cooling; `mixed`: with the inlet cooling air (the same stream where there is none).
-template <class S>
+template <class S, class P>
 Expansion<S> expand(const TurbineData& data, const Stream<S>& in, const Stream<S>& mixed, const S& speed_rpm,
-                    const S& pressure_ratio, const MapFactors& factors) {
+                    const S& pressure_ratio, const MapFactors<P>& factors) {
   using std::log, std::sqrt;
   const S root_t = sqrt(in.tt_k * rankine_per_kelvin);
   const S map_pressure_ratio = 1.0 + (pressure_ratio - 1.0) / data.scale.s_pr;
   const TurbineMapPoint<S> map = data.map.at(S(speed_rpm / (root_t * data.scale.s_nc)), map_pressure_ratio);
-  const double capacity_scale = data.scale.s_wc * factors.flow * kg_per_lbm / pa_per_psi;
+  const P capacity_scale = data.scale.s_wc * factors.flow * kg_per_lbm / pa_per_psi;
   const S flow_capacity = capacity_scale * map.flow * in.pt_pa / root_t;
 
   const S efficiency = data.scale.s_eff * factors.efficiency * map.efficiency;
-  const S ideal_k = isentropic_temperature(mixed.tt_k, mixed.fuel_air_ratio, S(-log(pressure_ratio)));
+  const S ideal_k = isentropic_temperature<P>(mixed.tt_k, mixed.fuel_air_ratio, S(-log(pressure_ratio)));
   const S work_j_kg = efficiency * (mixed.h_j_kg - enthalpy(ideal_k, mixed.fuel_air_ratio));
   const S h_exit = mixed.h_j_kg - work_j_kg;
   const S t_exit = temperature_at_enthalpy(h_exit, mixed.fuel_air_ratio, value(ideal_k));

@@ -5,9 +5,11 @@
 // Source: Griewank & Walther, Evaluating Derivatives, 2nd ed., chapter 3 (forward mode).
 // Errors: none; a division by zero or a root of a negative value gives the same non-finite value as in double.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace ehm::engine_sim {
 
@@ -55,6 +57,25 @@ inline double value(double x) {
 template <std::size_t N>
 double value(const Dual<N>& x) {
   return x.v;
+}
+
+/// x as a T: x itself, or its plain value.
+template <class T, class S>
+T carried(const S& x) {
+  if constexpr (std::is_same_v<T, S>) {
+    return x;
+  } else {
+    return value(x);
+  }
+}
+
+/// Whether x is zero with all its derivatives.
+inline bool vanishes(double x) {
+  return x == 0.0;
+}
+template <std::size_t N>
+bool vanishes(const Dual<N>& x) {
+  return x.v == 0.0 && std::all_of(x.d.begin(), x.d.end(), [](double d) { return d == 0.0; });
 }
 
 template <std::size_t N>

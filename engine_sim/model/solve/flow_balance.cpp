@@ -8,28 +8,30 @@ namespace {
 
 constexpr NewtonProblem<flow_unknown_count> flow_balance{flow_balance_names, flow_unknown_box::lower,
                                                          flow_unknown_box::upper, flow_unknown_box::largest_step};
+/// For try_solve(): what succeeds from a start anywhere needs 8 evaluations in the mean, 99.8 % need 20 or fewer.
+constexpr NewtonProblem<flow_unknown_count> flow_balance_in_time = [] {
+  auto problem = flow_balance;
+  problem.max_evaluations = 30;
+  return problem;
+}();
 // Newton's last step goes far below its tolerance; this one stops as soon as conservation to 1e-9 is safe.
 constexpr double closed = 1e-10;
 constexpr int most_broyden_steps = 8;
 // A guess further off is not one that Broyden's method should continue from, nor a step that improves less.
 constexpr double largest_start_residual = 0.05, least_improvement = 0.5;
 
-/// x + dx, if that is inside the box and no component is larger than its largest step.
-template <class Step>
-bool advance(std::array<double, flow_unknown_count>& x, const Step& dx) {
-  for (std::size_t i = 0; i < flow_unknown_count; ++i) {
-    const double step = dx(static_cast<Eigen::Index>(i)), moved = x[i] + step;
-    if (!(std::abs(step) <= flow_balance.largest_step[i])) return false;
-    if (moved < flow_balance.lower[i] || moved > flow_balance.upper[i]) return false;
-    x[i] = moved;
-  }
-  return true;
+/// Not a number if one of them is none.
+template <class Vector>
+double largest(const Vector& r) {
+  return r.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
 }
 
 }  // namespace
 
 const Intake& FlowBalance::intake_at(const FlightCondition& flight) {
-  if (!flown_ || !(flown_->flight == flight)) flown_ = Flown{flight, intake(engine_.data().inlet, flight)};
+  if (!flown_ || !(flown_->flight == flight)) {
+    flown_ = Flown{flight, engine_sim::intake(engine_.data().inlet, flight)};
+  }
   return flown_->intake;
 }
 
@@ -43,13 +45,13 @@ FlowBalance::Vector FlowBalance::evaluate(const Held& held, const Unknowns& x) {
 bool FlowBalance::broyden(const Held& held, Unknowns& x) {
   Matrix& h = *inverse_jacobian_;
   Vector r = evaluate(held, x);
-  double norm = r.lpNorm<Eigen::Infinity>();
+  double norm = largest(r);
   if (!(norm < largest_start_residual)) return false;
   for (int i = 0; i < most_broyden_steps && norm >= closed; ++i) {
     const Vector dx = -h * r;
     if (!advance(x, dx)) return false;
     const Vector r_next = evaluate(held, x);
-    const double next = r_next.lpNorm<Eigen::Infinity>();
+    const double next = largest(r_next);
     if (!(next < least_improvement * norm)) return false;
     const Vector hy = h * (r_next - r);
     const Vector correction = (dx - hy) / dx.dot(hy);
@@ -60,21 +62,63 @@ bool FlowBalance::broyden(const Held& held, Unknowns& x) {
   return norm < closed;
 }
 
-void FlowBalance::newton(const Held& held, Unknowns& x) {
+NewtonEnd FlowBalance::newton(const Problem& problem, const Held& held, Unknowns& x) {
   using D = Dual<flow_unknown_count>;
   CycleInput<D> input{held.speeds.n1_rpm, held.speeds.n2_rpm, held.operation.fuel_flow_kg_s, {}};
   std::array<D, flow_unknown_count> r;
-  engine_sim::newton(flow_balance, x, [&](const std::array<D, flow_unknown_count>& trial) {
+  const auto residuals = [&](const std::array<D, flow_unknown_count>& trial) {
     input.unknowns = unpack(trial);
     ++exact_evaluations_;
     return r = engine_.cycle(flown_->intake, held.operation, input, held.metal).flow_residual;
-  });
+  };
+  const NewtonEnd end = try_newton(problem, x, residuals);
+  if (!end.closed) return end;
   Matrix jacobian;
   for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
     jacobian.row(i) = Vector(r[static_cast<std::size_t>(i)].d.data()).transpose();
   }
   inverse_jacobian_ = jacobian.partialPivLu().inverse();
   evaluate(held, x);
+  return end;
+}
+
+NewtonEnd FlowBalance::close(const Problem& problem, const Held& held, FlowUnknowns& unknowns) {
+  plain_evaluations_ = exact_evaluations_ = 0;
+  NewtonEnd end{true, {}};
+  Unknowns x = pack(unknowns);
+  if (!inverse_jacobian_ || !broyden(held, x)) {
+    inverse_jacobian_.reset();  // what a failed attempt has made of it is not to be trusted
+    x = pack(unknowns);
+    end = newton(problem, held, x);
+    if (!end.closed) return end;
+  }
+  unknowns = {unpack(x)};
+  return end;
+}
+
+GasPathStatus FlowBalance::prepare(const Operation& operation, const SpoolSpeeds& speeds) noexcept {
+  const FlightCondition& flight = operation.flight;
+  if (!covers(flight)) {
+    const bool finite =
+        std::isfinite(flight.altitude_m) && std::isfinite(flight.mach) && std::isfinite(flight.delta_isa_k);
+    return finite ? GasPathStatus::outside_flight : GasPathStatus::not_finite;
+  }
+  if (const auto defect = first_defect(operation)) return defect->kind;
+  if (const auto defect = first_defect(speeds)) return defect->kind;
+  intake_at(flight);
+  return GasPathStatus::ok;
+}
+
+GasPathStatus FlowBalance::try_solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
+                                     GasPath& gas, const MetalTemperatures* metal) noexcept {
+  if (const GasPathStatus status = prepare(operation, speeds); status != GasPathStatus::ok) return status;
+  GasPath found;
+  if (!close(flow_balance_in_time, {operation, speeds, metal}, unknowns).closed ||
+      engine_.publish(input_, cycle_, found) != FlowDefect::none) {
+    return GasPathStatus::no_solution;
+  }
+  gas = found;
+  return GasPathStatus::ok;
 }
 
 GasPath FlowBalance::solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
@@ -82,15 +126,9 @@ GasPath FlowBalance::solve(const Operation& operation, const SpoolSpeeds& speeds
   require_valid(operation);
   require_valid(speeds);
   intake_at(operation.flight);
-  plain_evaluations_ = exact_evaluations_ = 0;
-  const Held held{operation, speeds, metal};
-  Unknowns x = pack(unknowns);
-  if (!inverse_jacobian_ || !broyden(held, x)) {
-    inverse_jacobian_.reset();  // what a failed attempt has made of it is not to be trusted
-    x = pack(unknowns);
-    newton(held, x);
+  if (const NewtonEnd end = close(flow_balance, {operation, speeds, metal}, unknowns); !end.closed) {
+    throw_not_closed(flow_balance, end);
   }
-  unknowns = {unpack(x)};
   return engine_.report(input_, cycle_);
 }
 

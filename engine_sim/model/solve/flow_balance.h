@@ -19,20 +19,34 @@ class FlowBalance {
   /// `engine` must live as long as this.
   explicit FlowBalance(const Turbofan& engine) : engine_(engine) {}
 
+  using Matrix = Eigen::Matrix<double, flow_unknown_count, flow_unknown_count>;
+
+  /// Checks the ranges and looks up intake(). Real-time safe: yes; allocates and throws nothing.
+  GasPathStatus prepare(const Operation& operation, const SpoolSpeeds& speeds) noexcept;
+
   /// Closes the balances from the guess `unknowns`, which it updates; `metal`: temperatures for the heat soak, or none.
-  /// Real-time safe: yes, unless it throws.
+  /// Unless the status is ok, `gas` keeps what it held. Gives up after 30 exact evaluations.
+  /// Real-time safe: yes; allocates and throws nothing.
+  GasPathStatus try_solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns, GasPath& gas,
+                          const MetalTemperatures* metal = nullptr) noexcept;
+
+  /// The same, but it searches on to the end. Real-time safe: yes, unless it throws.
   /// @throws as Turbofan::gas_path
   GasPath solve(const Operation& operation, const SpoolSpeeds& speeds, FlowUnknowns& unknowns,
                 const MetalTemperatures* metal = nullptr);
 
+  /// The next solution continues from this inverse of dr/dx.
+  void continue_with(const Matrix& inverse_jacobian) noexcept { inverse_jacobian_ = inverse_jacobian; }
+  /// Of the last flight condition that was prepared or solved.
+  const Intake& intake() const { return flown_->intake; }
   /// Evaluations of the cycle by the last solve().
   int plain_evaluations() const { return plain_evaluations_; }
   int exact_evaluations() const { return exact_evaluations_; }
 
  private:
   using Vector = Eigen::Matrix<double, flow_unknown_count, 1>;
-  using Matrix = Eigen::Matrix<double, flow_unknown_count, flow_unknown_count>;
   using Unknowns = std::array<double, flow_unknown_count>;
+  using Problem = NewtonProblem<flow_unknown_count>;
   /// All that is held while the unknowns are sought.
   struct Held {
     const Operation& operation;
@@ -43,7 +57,9 @@ class FlowBalance {
   const Intake& intake_at(const FlightCondition& flight);
   Vector evaluate(const Held& held, const Unknowns& x);
   bool broyden(const Held& held, Unknowns& x);
-  void newton(const Held& held, Unknowns& x);
+  NewtonEnd newton(const Problem& problem, const Held& held, Unknowns& x);
+  /// Input and flight condition have been checked.
+  NewtonEnd close(const Problem& problem, const Held& held, FlowUnknowns& unknowns);
 
   struct Flown {
     FlightCondition flight;

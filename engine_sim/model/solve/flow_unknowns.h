@@ -5,6 +5,7 @@
 // The box is where a physical solution can lie; a step stays small against the features of the maps.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace ehm::engine_sim {
@@ -35,6 +36,18 @@ template <class S, std::size_t N>
 FlowUnknownsOf<S> unpack(const std::array<S, N>& x) {
   static_assert(N >= flow_unknown_count);
   return {x[0], x[1], x[2], x[3], x[4], x[5]};
+}
+
+/// x + dx, if no component is larger than its largest step or leaves the box; otherwise false, and x is not to be used.
+template <class Step>
+bool advance(std::array<double, flow_unknown_count>& x, const Step& dx) {
+  for (std::size_t i = 0; i < flow_unknown_count; ++i) {
+    const double step = dx(static_cast<std::ptrdiff_t>(i)), moved = x[i] + step;
+    if (!(std::abs(step) <= flow_unknown_box::largest_step[i])) return false;
+    if (moved < flow_unknown_box::lower[i] || moved > flow_unknown_box::upper[i]) return false;
+    x[i] = moved;
+  }
+  return true;
 }
 
 }  // namespace ehm::engine_sim

@@ -7,11 +7,11 @@
 namespace ehm::engine_sim {
 
 Ambient atmosphere(double altitude_m, double delta_isa_k) {
-  if (!(altitude_m >= -1000.0 && altitude_m <= 20000.0)) {
+  if (!covers_altitude(altitude_m)) {
     throw std::out_of_range("atmosphere: altitude_m = " + std::to_string(altitude_m) +
                             " is outside -1000 to 20000; give a geopotential altitude in metres");
   }
-  if (!(std::abs(delta_isa_k) <= 60.0)) {
+  if (!covers_offset(delta_isa_k)) {
     throw std::out_of_range("atmosphere: delta_isa_k = " + std::to_string(delta_isa_k) + " is outside -60 to 60");
   }
   constexpr double t0_k = 288.15, p0_pa = 101325.0, lapse_k_m = 0.0065, g_m_s2 = 9.80665, r_j_kgk = 287.05287;

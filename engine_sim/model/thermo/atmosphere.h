@@ -11,6 +11,14 @@ struct Ambient {
   double t_k;
 };
 
+/// Whether atmosphere() covers it: -1 000 to 20 000 m, -60 to +60 K; not if it is no number.
+constexpr bool covers_altitude(double altitude_m) {
+  return altitude_m >= -1000.0 && altitude_m <= 20000.0;
+}
+constexpr bool covers_offset(double delta_isa_k) {
+  return delta_isa_k >= -60.0 && delta_isa_k <= 60.0;
+}
+
 /// @throws std::out_of_range if the altitude is not within -1 000 to 20 000 m, or the offset not within -60 to +60 K
 Ambient atmosphere(double altitude_m, double delta_isa_k);
 

@@ -128,6 +128,15 @@ double gas_constant_j_kgk(double f) {
   return 287.05287 - 0.00990 * f + 1e-7 * f * f;
 }
 
+double gas_constant_slope_j_kgk(double f) {
+  return -0.00990 + 2e-7 * f;
+}
+
+GasProperty specific_heat_property(double t_k, double f) {
+  const Evaluation h = evaluate_enthalpy(t_k, fuel_share(f));
+  return {h.cp, h.cp_slope, fuel_share_slope(f) * h.cp_by_share};
+}
+
 GasProperty enthalpy_property(double t_k, double f) {
   const Evaluation h = evaluate_enthalpy(t_k, fuel_share(f));
   return {h.value, h.cp, fuel_share_slope(f) * h.by_share};

@@ -17,6 +17,7 @@ namespace ehm::engine_sim {
 
 double specific_heat_j_kgk(double t_k, double fuel_air_ratio);
 double gas_constant_j_kgk(double fuel_air_ratio);
+double gas_constant_slope_j_kgk(double fuel_air_ratio);  ///< dR/df
 
 /// Value with its two partial derivatives.
 struct GasProperty {
@@ -24,6 +25,7 @@ struct GasProperty {
   double by_temperature;
   double by_fuel_air_ratio;
 };
+GasProperty specific_heat_property(double t_k, double fuel_air_ratio);
 GasProperty enthalpy_property(double t_k, double fuel_air_ratio);
 GasProperty entropy_property(double t_k, double fuel_air_ratio);
 
@@ -58,10 +60,16 @@ S entropy_function(const S& t_k, const S& fuel_air_ratio) {
   return chain(phi.value, phi.by_temperature, t_k, phi.by_fuel_air_ratio, fuel_air_ratio);
 }
 
-/// R varies with f by 5e-5 percent over the whole range: its derivative is carried as zero.
-template <class S>
-double gas_constant(const S& fuel_air_ratio) {
-  return gas_constant_j_kgk(value(fuel_air_ratio));
+/// R varies with f by 2e-4 percent over the whole range: Newton's method needs no derivative of it, so it is carried only
+/// where derivatives by parameters are asked for (P a dual number).
+template <class P = double, class S>
+auto gas_constant(const S& fuel_air_ratio) {
+  const double f = value(fuel_air_ratio), r = gas_constant_j_kgk(f);
+  if constexpr (std::is_same_v<P, double>) {
+    return r;
+  } else {
+    return chain(r, gas_constant_slope_j_kgk(f), fuel_air_ratio);
+  }
 }
 
 template <class S>
@@ -70,12 +78,19 @@ S temperature_at_enthalpy(const S& h_j_kg, const S& fuel_air_ratio, double guess
   return chain(t.t_k, t.by_target, h_j_kg, t.by_fuel_air_ratio, fuel_air_ratio);
 }
 
-/// Temperature after an isentropic change of pressure p2/p1 = exp(log_pressure_ratio).
-template <class S>
+/// Temperature after an isentropic change of pressure p2/p1 = exp(log_pressure_ratio); P as for gas_constant().
+template <class P = double, class S>
 S isentropic_temperature(const S& t_k, const S& fuel_air_ratio, const S& log_pressure_ratio) {
   const IsentropicTemperature t = isentropic_change(value(t_k), value(fuel_air_ratio), value(log_pressure_ratio));
-  return chain(t.t_k, t.by_temperature, t_k, t.by_fuel_air_ratio, fuel_air_ratio) +
-         chain(0.0, t.by_log_pressure_ratio, log_pressure_ratio);
+  if constexpr (std::is_same_v<P, double>) {
+    return chain(t.t_k, t.by_temperature, t_k, t.by_fuel_air_ratio, fuel_air_ratio) +
+           chain(0.0, t.by_log_pressure_ratio, log_pressure_ratio);
+  } else {
+    const double f = value(fuel_air_ratio), log_r_slope = gas_constant_slope_j_kgk(f) / gas_constant_j_kgk(f);
+    const double by_r = t.by_log_pressure_ratio * value(log_pressure_ratio) * log_r_slope;
+    return chain(t.t_k, t.by_temperature, t_k, t.by_fuel_air_ratio + by_r, fuel_air_ratio) +
+           chain(0.0, t.by_log_pressure_ratio, log_pressure_ratio);
+  }
 }
 
 }  // namespace ehm::engine_sim

@@ -1,14 +1,12 @@
 #include "engine_sim/model/thermo/static_pressure.h"
 
 #include <cmath>
-#include <string>
 
-#include "engine_sim/model/solve/newton.h"
 #include "engine_sim/model/thermo/gas.h"
 
 namespace ehm::engine_sim {
 
-double static_pressure_pa(const Station& total, double area_m2) {
+std::optional<SubsonicState> subsonic_state(const Station& total, double area_m2) noexcept {
   const double f = total.fuel_air_ratio, r = gas_constant_j_kgk(f);
   const double h_total = enthalpy_property(total.tt_k, f).value;
   const double phi_total = entropy_property(total.tt_k, f).value;
@@ -20,16 +18,33 @@ double static_pressure_pa(const Station& total, double area_m2) {
     const double p = total.pt_pa * std::exp((entropy_property(t, f).value - phi_total) / r);
     const double cp = 1.0 / inner.by_target;
     const double mach_squared = v_m_s * v_m_s / (cp / (cp - r) * r * t);
-    if (mach_squared >= 1.0) break;
+    if (mach_squared >= 1.0) return std::nullopt;
     // d(rho V)/dV = rho (1 - M^2): Newton from below, monotone up to M = 1
     const double density = p / (r * t);
     const double step = (flux / density - v_m_s) / (1.0 - mach_squared);
     // the last step by dp = -rho V dV: the error left is of the order of its square
-    if (std::abs(step) < 1e-7 * v_m_s) return p - density * v_m_s * step;
+    if (std::abs(step) < 1e-7 * v_m_s) return SubsonicState{p - density * v_m_s * step, t, v_m_s + step, mach_squared};
     v_m_s += step;
   }
-  throw SolveError("residual 'static pressure': a flow of " + std::to_string(total.w_kg_s) +
-                   " kg/s chokes the area of " + std::to_string(area_m2) + " m2");
+  return std::nullopt;
+}
+
+StaticPressureSlopes static_pressure_slopes(const Station& total, const SubsonicState& at) noexcept {
+  const double f = total.fuel_air_ratio, r = gas_constant_j_kgk(f);
+  const GasProperty h_total = enthalpy_property(total.tt_k, f), phi_total = entropy_property(total.tt_k, f);
+  const GasProperty h = enthalpy_property(at.t_k, f), phi = entropy_property(at.t_k, f);
+  const double h_f = h_total.by_fuel_air_ratio - h.by_fuel_air_ratio;
+  const double phi_f = phi.by_fuel_air_ratio - phi_total.by_fuel_air_ratio;
+  const double v = at.v_m_s, cp = h.by_temperature;
+  // dV = V/(1 - M^2) (dW/W - dPt/Pt - (1 - R/cp)/(R T) (cpt dTt + h_f df) + phi_t dTt/R - phi_f df/R)
+  const double v_by_log_flow = v / (1.0 - at.mach_squared), by_heat = (1.0 - r / cp) / (r * at.t_k);
+  const double v_by_tt = v_by_log_flow * (phi_total.by_temperature / r - by_heat * h_total.by_temperature);
+  const double v_by_f = -v_by_log_flow * (by_heat * h_f + phi_f / r);
+  // dp = p (dPt/Pt + (cpt dTt + h_f df - V dV)/(R T) - phi_t dTt/R + phi_f df/R),  phi_t at the total temperature
+  const double by_v = -at.p_pa * v / (r * at.t_k);
+  return {by_v * v_by_log_flow / total.w_kg_s, at.p_pa / total.pt_pa - by_v * v_by_log_flow / total.pt_pa,
+          at.p_pa * (h_total.by_temperature / (r * at.t_k) - phi_total.by_temperature / r) + by_v * v_by_tt,
+          at.p_pa * (h_f / (r * at.t_k) + phi_f / r) + by_v * v_by_f};
 }
 
 double area_at_mach_m2(const Station& total, double mach) {

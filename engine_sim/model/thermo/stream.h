@@ -39,9 +39,10 @@ Stream<S> with_flow(const Stream<S>& in, const S& w_kg_s) {
   return out;
 }
 
-template <class S>
-Station to_station(const Stream<S>& in) {
-  return {value(in.w_kg_s), value(in.pt_pa), value(in.tt_k), value(in.fuel_air_ratio)};
+/// `T`: the stream's scalar, or double for the values alone.
+template <class T = double, class S>
+StationOf<T> to_station(const Stream<S>& in) {
+  return {carried<T>(in.w_kg_s), carried<T>(in.pt_pa), carried<T>(in.tt_k), carried<T>(in.fuel_air_ratio)};
 }
 
 }  // namespace ehm::engine_sim

@@ -34,5 +34,32 @@ TEST(Newton, StopsAtAResidualThatIsNotFinite) {
   EXPECT_THROW(newton(box, x, [](const Pair& p) { return Pair{sqrt(p[0]), p[1]}; }), SolveError);
 }
 
+TEST(Newton, TellsAsAValueWhichResidualDoesNotClose) {
+  std::array<double, 2> x{1.0, 1.0};
+  const auto no_root = [](const Pair& p) { return Pair{p[0] - p[1], p[0] * p[0] + p[1] * p[1] + 1.0}; };
+  const NewtonEnd end = try_newton(box, x, no_root);
+  EXPECT_FALSE(end.closed);
+  EXPECT_EQ(end.worst, 1U);
+  EXPECT_GE(end.worst_value, 1.0);  // x^2 + y^2 + 1 is nowhere less
+}
+
+TEST(Newton, GivesUpAfterSoManyEvaluations) {
+  NewtonProblem<2> in_time = box;
+  in_time.max_evaluations = 5;
+  int evaluations = 0;
+  const auto counted = [&](const Pair& p) {
+    ++evaluations;
+    return Pair{p[0] * p[0] + p[1] * p[1] + 1.0, p[0] - p[1]};
+  };
+  std::array<double, 2> x{1.0, 1.0};
+  EXPECT_FALSE(try_newton(in_time, x, counted).closed);
+  EXPECT_EQ(evaluations, 5);
+  in_time.max_evaluations = 50;
+  x = {5.0, 0.3};
+  EXPECT_TRUE(try_newton(in_time, x, [](const Pair& p) {
+                return Pair{p[0] * p[0] + p[1] * p[1] - 2.0, p[0] - p[1]};
+              }).closed);
+}
+
 }  // namespace
 }  // namespace ehm::engine_sim
