@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # One command from a bare Debian 12 to live estimates: installs, builds, designs, flies.
-# Usage: deploy/demo.sh [--seconds N] [--json]
+# Usage: deploy/demo.sh [--seconds N] [--estimator NAME] [--json]
 #   --seconds N   length of the flight, 12 to 86400 (default 30); at 10 s HPC efficiency falls by 2 %
+#   --estimator NAME   whose estimates are published: tuner (default), gauss_markov, time_varying
 #   --json        print the summary as one JSON object and nothing else on standard output
 # Exit: 0 nothing lost or withheld and every estimate within 3 published sigmas, 1 otherwise, 2 wrong usage
 # EHM_BUILD_DIR names another build folder, EHM_DDS_DOMAIN another DDS domain (default 42), EHM_DEMO_CSV a file for every
@@ -10,14 +11,22 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 seconds=30
+estimator=tuner
 json=()
-usage() { sed -n '2,8s/^# //p' deploy/demo.sh; }
+usage() { sed -n '2,9s/^# //p' deploy/demo.sh; }
 while [ $# -gt 0 ]; do
   case "$1" in
     --seconds)
       seconds=${2:-}
       if ! [[ $seconds =~ ^[0-9]+$ ]] || [ "$seconds" -lt 12 ] || [ "$seconds" -gt 86400 ]; then
         echo "demo: --seconds is '${2:-}', allowed is a whole number from 12 to 86400" >&2
+        exit 2
+      fi
+      shift 2 ;;
+    --estimator)
+      estimator=${2:-}
+      if [[ $estimator != @(tuner|gauss_markov|time_varying) ]]; then
+        echo "demo: --estimator is '$estimator', allowed is one of tuner, gauss_markov, time_varying" >&2
         exit 2
       fi
       shift 2 ;;
@@ -56,7 +65,7 @@ start() {
   children+=($!)
 }
 start monitor "$build/monitor/monitor" --config deploy/demo/monitor.toml --monitor-design "$work/design.json" \
-  --dds-domain "$domain"
+  --estimator-published "$estimator" --dds-domain "$domain"
 start engine_sim "$build/engine_sim/engine_sim" --config deploy/demo/engine_sim.toml --dds-domain "$domain" \
   --run-wait-for-monitors 1 --run-duration-s "$seconds"
 

@@ -3,7 +3,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "engine_sim/map_fit/checked_numbers.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 void check_breaks(const SettingsPlace& place, const std::string& key, const std::vector<double>& breaks, double lowest,
                   double highest) {
@@ -15,4 +15,4 @@ void check_breaks(const SettingsPlace& place, const std::string& key, const std:
   }
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

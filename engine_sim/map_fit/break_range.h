@@ -6,11 +6,11 @@
 
 #include "engine_sim/map_fit/fit_settings.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 /// @throws files::FileError naming the settings file, `key`, the break point and the range, if one lies outside
 ///         `lowest` to `highest` (but for rounding)
 void check_breaks(const SettingsPlace& place, const std::string& key, const std::vector<double>& breaks, double lowest,
                   double highest);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

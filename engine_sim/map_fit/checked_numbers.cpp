@@ -2,7 +2,7 @@
 
 #include "deploy/runtime/files/file_error.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 using files::shown;
 using files::throw_defect;
@@ -43,4 +43,4 @@ std::vector<double> ascending_numbers(files::JsonObject& object, const std::stri
   return {numbers.begin(), numbers.end()};
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -7,7 +7,7 @@
 
 #include "deploy/runtime/files/json_object.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 /// "LOW to HIGH", as messages show it.
 std::string range_text(double low, double high);
@@ -22,4 +22,4 @@ double number_between(files::JsonObject& object, const std::string& key, double 
 std::vector<double> ascending_numbers(files::JsonObject& object, const std::string& key, std::size_t least,
                                       std::size_t most, double low, double high);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -7,7 +7,7 @@
 #include "engine_sim/map_fit/deviation.h"
 #include "engine_sim/map_fit/fit_surface.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -84,4 +84,4 @@ std::string deviation_text(const CompressorSettings& s, const CompressorFit& fit
          " points, surge PR " + surge.text() + " %";
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -9,7 +9,7 @@
 #include "engine_sim/map_fit/fit_settings.h"
 #include "engine_sim/model/maps/compressor_map.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 struct CompressorFit {
   std::vector<double> flow, pressure, efficiency, surge;
@@ -26,4 +26,4 @@ engine_sim::CompressorMapData map_data(const CompressorSettings& settings, const
 /// One line: deviation of the fit from the table's samples of full weight.
 std::string deviation_text(const CompressorSettings& settings, const CompressorFit& fit, const CompressorTable& table);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 using Eigen::Index;
@@ -176,4 +176,4 @@ CompressorTarget fit_target(const CompressorTable& table, double flow_exponent, 
   return t;
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 struct CompressorTable {
   std::vector<double> speed, r_line;
@@ -43,4 +43,4 @@ double sample_weight(double r_line, double pressure_ratio, double efficiency);
 
 CompressorTarget fit_target(const CompressorTable& table, double flow_exponent, double pressure_exponent);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

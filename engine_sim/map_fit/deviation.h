@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 class Deviation {
  public:
@@ -28,4 +28,4 @@ class Deviation {
   int count_ = 0;
 };
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -5,5 +5,5 @@
 #include "engine_sim/map_fit/fit_maps_command.h"
 
 int main(int argc, char** argv) {
-  return ehm::tuner_design::run_fit_maps(argc, argv, std::cout, std::cerr);
+  return ehm::engine_sim::run_fit_maps(argc, argv, std::cout, std::cerr);
 }

@@ -11,7 +11,7 @@
 #include "deploy/runtime/service/exit_code.h"
 #include "engine_sim/map_fit/map_source.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 constexpr const char* formats =
@@ -99,4 +99,4 @@ int run_fit_maps(int argc, const char* const* argv, std::ostream& out, std::ostr
   }
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

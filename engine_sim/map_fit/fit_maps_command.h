@@ -4,8 +4,8 @@
 
 #include <iosfwd>
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 int run_fit_maps(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

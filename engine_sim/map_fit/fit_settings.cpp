@@ -6,7 +6,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "engine_sim/map_fit/checked_numbers.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 using files::JsonObject;
@@ -144,4 +144,4 @@ std::string lower_case(std::string name) {
   return name;
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -34,7 +34,7 @@
 #include "engine_sim/map_fit/compressor_table.h"
 #include "engine_sim/map_fit/path_settings.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 /// Where settings stand, for messages of what shows only beside the tables.
 struct SettingsPlace {
@@ -73,4 +73,4 @@ FitSettings read_fit_settings(const std::string& file);
 /// Name of a map's accessor in the generated code.
 std::string lower_case(std::string name);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -8,7 +8,7 @@
 
 #include "engine_sim/model/maps/spline.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 using engine_sim::BasisValues;
@@ -104,4 +104,4 @@ std::vector<double> fit_curve(std::span<const double> x, std::span<const double>
                std::sqrt(smoothing) * third_difference(samples.cols()));
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

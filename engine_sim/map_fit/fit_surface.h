@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 /// Points where, and the step (of x, of y) along which, the second difference of the surface is punished.
 struct StraightPath {
@@ -37,4 +37,4 @@ std::vector<double> fit_surface(std::span<const double> x, std::span<const doubl
 std::vector<double> fit_curve(std::span<const double> x, std::span<const double> z, std::span<const double> breaks,
                               double smoothing);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

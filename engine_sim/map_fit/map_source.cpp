@@ -6,7 +6,7 @@
 
 #include "deploy/runtime/files/csv_table.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 void write_array(std::ostream& out, const std::string& name, const std::vector<double>& numbers) {
@@ -95,4 +95,4 @@ std::string header_text(const FitSettings& settings) {
   return text + "\n}  // namespace ehm::engine_sim::" + settings.name_space + "\n";
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

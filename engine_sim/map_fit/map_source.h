@@ -8,7 +8,7 @@
 #include "engine_sim/map_fit/compressor_fit.h"
 #include "engine_sim/map_fit/turbine_fit.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 /// Fits in the order of the settings, and a line each on how well they fit.
 struct MapFits {
@@ -20,4 +20,4 @@ struct MapFits {
 std::string source_text(const FitSettings& settings, const MapFits& fits);
 std::string header_text(const FitSettings& settings);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -3,7 +3,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "engine_sim/map_fit/checked_numbers.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 using Eigen::Index;
@@ -101,4 +101,4 @@ TurbineTable read_turbine_table(const files::Json& maps, const std::string& file
   return t;
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

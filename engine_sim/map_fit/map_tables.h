@@ -7,7 +7,7 @@
 #include "deploy/runtime/files/json_object.h"
 #include "engine_sim/map_fit/compressor_table.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 /// Rows: speeds, columns: expansion ratios. Flow w sqrt(T)/p in lbm/s sqrt(R)/psia.
 struct TurbineTable {
@@ -22,4 +22,4 @@ CompressorTable read_compressor_table(const files::Json& maps, const std::string
 /// @throws files::FileError as above
 TurbineTable read_turbine_table(const files::Json& maps, const std::string& file, const std::string& name);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

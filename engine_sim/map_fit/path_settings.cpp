@@ -6,7 +6,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "engine_sim/map_fit/checked_numbers.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 using files::JsonObject;
@@ -92,4 +92,4 @@ StraightPath straight_path(const PathSettings& s) {
   return path;
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -15,7 +15,7 @@
 #include "deploy/runtime/files/json_object.h"
 #include "engine_sim/map_fit/fit_surface.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 struct PathSettings {
   double speed_from, speed_to, speed_step;
@@ -33,4 +33,4 @@ PathSettings read_path_settings(const files::Json& json, const std::string& file
 
 StraightPath straight_path(const PathSettings& settings);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -6,7 +6,7 @@
 #include "engine_sim/map_fit/deviation.h"
 #include "engine_sim/map_fit/fit_surface.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 TurbineFit fit_turbine(const TurbineSettings& s, const TurbineTable& table) {
   const std::vector<double>&n = table.speed, &p = table.pressure_ratio;
@@ -42,4 +42,4 @@ std::string deviation_text(const TurbineSettings& s, const TurbineFit& fit, cons
   return s.name + ": flow " + flow.text() + " %, efficiency " + efficiency.text() + " points";
 }
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

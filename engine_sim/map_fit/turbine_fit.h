@@ -10,7 +10,7 @@
 #include "engine_sim/map_fit/map_tables.h"
 #include "engine_sim/model/maps/turbine_map.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 
 struct TurbineFit {
   std::vector<double> flow, efficiency;
@@ -26,4 +26,4 @@ engine_sim::TurbineMapData map_data(const TurbineSettings& settings, const Turbi
 /// One line: deviation of the fit from the table's samples.
 std::string deviation_text(const TurbineSettings& settings, const TurbineFit& fit, const TurbineTable& table);
 
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

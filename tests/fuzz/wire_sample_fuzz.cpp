@@ -30,8 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       EngineAuxiliary auxiliary;
       EngineResiduals residuals;
       const monitor::Stamp stamp{message.engine_id(), 1, sample.sequence, sample.source_time_ns, 0};
-      monitor::convert(cycle, cycle.result(), stamp, health);
-      monitor::convert(cycle, cycle.result(), stamp, auxiliary);
+      monitor::convert(cycle.result().estimate, cycle.result().flags, stamp, health);
+      monitor::convert(cycle.result().estimate, cycle.result().flags, stamp, auxiliary);
       monitor::convert(cycle.result(), stamp, residuals);
     }
     fuzz::require_promises(cycle);

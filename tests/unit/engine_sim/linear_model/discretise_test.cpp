@@ -5,7 +5,7 @@
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"
 
-namespace ehm::estimation {
+namespace ehm::linear_model {
 namespace {
 
 LinearModel continuous_model() {
@@ -35,7 +35,8 @@ TEST(Discretise, AgreesWithThePowerSeries) {
 
 TEST(Discretise, KeepsTheSteadyState) {
   const LinearModel model = continuous_model();
-  const SteadyGain before = steady_gain(model), after = steady_gain(discretise(model));
+  const estimation::SteadyGain before = estimation::steady_gain(model),
+                               after = estimation::steady_gain(discretise(model));
   EXPECT_LT((before.H - after.H).norm() / before.H.norm(), 1e-12);
   EXPECT_LT((before.Hz - after.Hz).norm() / before.Hz.norm(), 1e-12);
 }
@@ -46,4 +47,4 @@ TEST(Discretise, LeavesADiscreteModelAlone) {
 }
 
 }  // namespace
-}  // namespace ehm::estimation
+}  // namespace ehm::linear_model

@@ -13,7 +13,7 @@
 #include "engine_sim/linear_model/model_json.h"
 #include "tests/unit/tuner_design/test_models.h"
 
-namespace ehm::design {
+namespace ehm::linear_model {
 namespace {
 
 std::string file_with(const std::string& text) {
@@ -27,7 +27,7 @@ std::string message_for(const std::string& text) {
   const std::string path = file_with(text);
   try {
     read_model(path);
-  } catch (const FileError& error) {
+  } catch (const files::FileError& error) {
     const std::string message = error.what();
     EXPECT_EQ(message.rfind(path + ": ", 0), 0U) << "the message starts with the file: " << message;
     return message.substr(std::min(message.size(), path.size() + 2));
@@ -35,21 +35,21 @@ std::string message_for(const std::string& text) {
   return "accepted";
 }
 
-std::string message_after(const std::function<void(Json&)>& spoil) {
-  Json json = model_to_json(test::made_up_model(), "good");
+std::string message_after(const std::function<void(files::Json&)>& spoil) {
+  files::Json json = model_to_json(test::made_up_model(), "good");
   spoil(json);
   return message_for(json.dump());
 }
 
 TEST(ModelFile, RoundTripIsExact) {
-  linear_model::LinearModel model = test::made_up_model();
+  LinearModel model = test::made_up_model();
   model.operating_point = {10668.0, 0.8, 0.1};
   model.engine_type = "test";
   model.A(0, 0) = 0.1 + 0.2;  // not 0.3
   model.health[1].trim = -0.017;
   const std::string path = test::temporary_path("round_trip.json");
   write_model(model, path);
-  const linear_model::LinearModel read = read_model(path);
+  const LinearModel read = read_model(path);
   EXPECT_EQ(read.name, model.name);
   EXPECT_EQ(read.discrete, model.discrete);
   EXPECT_EQ(read.sample_time_s, model.sample_time_s);
@@ -57,10 +57,9 @@ TEST(ModelFile, RoundTripIsExact) {
   EXPECT_EQ(read.operating_point->delta_isa_k, 0.1);
   EXPECT_EQ(read.health[1].trim, -0.017);
   EXPECT_EQ(read.auxiliary[0].unit, "degR");
-  for (const auto matrix : {&linear_model::LinearModel::A, &linear_model::LinearModel::B, &linear_model::LinearModel::L,
-                            &linear_model::LinearModel::C, &linear_model::LinearModel::D, &linear_model::LinearModel::M,
-                            &linear_model::LinearModel::F, &linear_model::LinearModel::G, &linear_model::LinearModel::N,
-                            &linear_model::LinearModel::process_noise}) {
+  for (const auto matrix :
+       {&LinearModel::A, &LinearModel::B, &LinearModel::L, &LinearModel::C, &LinearModel::D, &LinearModel::M,
+        &LinearModel::F, &LinearModel::G, &LinearModel::N, &LinearModel::process_noise}) {
     EXPECT_EQ(read.*matrix, model.*matrix);
   }
   EXPECT_EQ(read.health_sigma, model.health_sigma);
@@ -69,16 +68,16 @@ TEST(ModelFile, RoundTripIsExact) {
 
 // 33 samples of 15 ms are held: R = 33 (3^2 + 2^2 / 12) for noise 3 and steps of 2.
 TEST(ModelFile, RoundingAndHoldingCountInTheNoise) {
-  const linear_model::LinearModel plain = test::made_up_model();
-  Json json = model_to_json(plain, "good");
+  const LinearModel plain = test::made_up_model();
+  files::Json json = model_to_json(plain, "good");
   json["sample_time_s"] = 0.015;
   json["sensors"][1]["noise_sigma"] = 3.0;
   json["sensors"][1]["resolution"] = 2.0;
   json["sensors"][1]["update_period_s"] = 0.5;
-  const linear_model::LinearModel model = read_model(file_with(json.dump()));
+  const LinearModel model = read_model(file_with(json.dump()));
   EXPECT_EQ(model.sensor_noise_sigma(0), plain.sensor_noise_sigma(0));
   EXPECT_NEAR(model.sensor_noise_sigma(1), std::sqrt(33.0 * (9.0 + 4.0 / 12.0)), 1e-12);
-  const Json again = model_to_json(model, "again");
+  const files::Json again = model_to_json(model, "again");
   EXPECT_NEAR(again["sensors"][1]["noise_sigma"].get<double>(), 3.0, 1e-12);
   EXPECT_EQ(again["sensors"][1]["resolution"], 2.0);
   EXPECT_EQ(again["sensors"][1]["update_period_s"], 0.5);
@@ -87,15 +86,15 @@ TEST(ModelFile, RoundingAndHoldingCountInTheNoise) {
 }
 
 TEST(ModelFile, AuxiliaryAndControlsMayBeEmpty) {
-  Json json = model_to_json(test::made_up_model(), "good");
-  json["auxiliary"] = Json::array();
-  json["F"] = Json::array();
+  files::Json json = model_to_json(test::made_up_model(), "good");
+  json["auxiliary"] = files::Json::array();
+  json["F"] = files::Json::array();
   json.erase("G");
-  json["N"] = Json::array();
-  json["controls"] = Json::array();
+  json["N"] = files::Json::array();
+  json["controls"] = files::Json::array();
   json.erase("B");
-  json["D"] = {Json::array(), Json::array(), Json::array(), Json::array()};
-  const linear_model::LinearModel model = read_model(file_with(json.dump()));
+  json["D"] = {files::Json::array(), files::Json::array(), files::Json::array(), files::Json::array()};
+  const LinearModel model = read_model(file_with(json.dump()));
   EXPECT_EQ(model.F.rows(), 0);
   EXPECT_EQ(model.F.cols(), 2);
   EXPECT_EQ(model.B.cols(), 0);
@@ -103,14 +102,14 @@ TEST(ModelFile, AuxiliaryAndControlsMayBeEmpty) {
 }
 
 TEST(ModelFile, TrimOfHealthMayBeLeftOut) {
-  Json json = model_to_json(test::made_up_model(), "good");
+  files::Json json = model_to_json(test::made_up_model(), "good");
   json["health"][0].erase("trim");
   EXPECT_EQ(read_model(file_with(json.dump())).health[0].trim, 0.0);
 }
 
 struct Defect {
   const char* name;
-  std::function<void(Json&)> spoil;
+  std::function<void(files::Json&)> spoil;
   const char* message;
 };
 
@@ -125,53 +124,53 @@ TEST_P(ModelFileDefect, HasItsMessage) {
 }
 
 const Defect defects[] = {
-    {"LongName", [](Json& j) { j["health"][1]["name"] = std::string(64, 'x'); },
+    {"LongName", [](files::Json& j) { j["health"][1]["name"] = std::string(64, 'x'); },
      "health[1].name is 64 characters long; allowed: at most 63. Shorten it."},
-    {"MissingKey", [](Json& j) { j.erase("A"); }, "key A is missing. Add it."},
-    {"MissingSigma", [](Json& j) { j["health"][2].erase("sigma"); }, "key health[2].sigma is missing. Add it."},
-    {"MissingTrim", [](Json& j) { j["sensors"][1].erase("trim"); }, "key sensors[1].trim is missing. Add it."},
-    {"UnknownKey", [](Json& j) { j["H"] = 1; },
+    {"MissingKey", [](files::Json& j) { j.erase("A"); }, "key A is missing. Add it."},
+    {"MissingSigma", [](files::Json& j) { j["health"][2].erase("sigma"); }, "key health[2].sigma is missing. Add it."},
+    {"MissingTrim", [](files::Json& j) { j["sensors"][1].erase("trim"); }, "key sensors[1].trim is missing. Add it."},
+    {"UnknownKey", [](files::Json& j) { j["H"] = 1; },
      "key H is unknown; allowed here: A, B, C, D, F, G, L, M, N, auxiliary, controls, engine_type, health, "
      "linearisation_error, name, operating_point, process_noise, sample_time_s, schema, sensors, states, time. Correct "
      "the spelling or remove "
      "it."},
-    {"UnknownChannelKey", [](Json& j) { j["states"][0]["sigma"] = 1; },
+    {"UnknownChannelKey", [](files::Json& j) { j["states"][0]["sigma"] = 1; },
      "key states[0].sigma is unknown; allowed here: name, trim, unit. Correct the spelling or remove it."},
-    {"Resolution", [](Json& j) { j["sensors"][1]["resolution"] = 0; },
+    {"Resolution", [](files::Json& j) { j["sensors"][1]["resolution"] = 0; },
      "sensors[1].resolution is 0.0; allowed: a number above 0. Correct the value."},
-    {"Schema", [](Json& j) { j["schema"] = "ehm-linear-model/0"; },
+    {"Schema", [](files::Json& j) { j["schema"] = "ehm-linear-model/0"; },
      "schema is \"ehm-linear-model/0\"; allowed: \"ehm-linear-model/1\". Convert the file to this format."},
-    {"Time", [](Json& j) { j["time"] = "sampled"; },
+    {"Time", [](files::Json& j) { j["time"] = "sampled"; },
      "time is \"sampled\"; allowed: \"continuous\" or \"discrete\". Say which form the matrices have."},
-    {"SampleTime", [](Json& j) { j["sample_time_s"] = 0; },
+    {"SampleTime", [](files::Json& j) { j["sample_time_s"] = 0; },
      "sample_time_s is 0.0; allowed: a number above 0. Correct the value."},
-    {"EmptyName", [](Json& j) { j["name"] = ""; },
+    {"EmptyName", [](files::Json& j) { j["name"] = ""; },
      "name is \"\"; allowed: a text that is not empty. Write it in quotes."},
-    {"TextForNumber", [](Json& j) { j["states"][0]["trim"] = "3650"; },
+    {"TextForNumber", [](files::Json& j) { j["states"][0]["trim"] = "3650"; },
      "states[0].trim is \"3650\"; allowed: a finite number. Write the number, or derive the matrix again."},
-    {"ObjectForArray", [](Json& j) { j["sensors"] = Json::object(); },
+    {"ObjectForArray", [](files::Json& j) { j["sensors"] = files::Json::object(); },
      "sensors is {}; allowed: an array [...]. Write it in brackets."},
-    {"NumberForChannel", [](Json& j) { j["sensors"][0] = 7; },
+    {"NumberForChannel", [](files::Json& j) { j["sensors"][0] = 7; },
      "sensors[0] is 7; allowed: an object {...}. See the description of the format."},
-    {"TooFewRows", [](Json& j) { j["C"].erase(3); },
+    {"TooFewRows", [](files::Json& j) { j["C"].erase(3); },
      "C is 3 rows high; allowed: 4 rows of 2 numbers. Check the matrix against the channel lists."},
-    {"RaggedRow", [](Json& j) { j["M"][1].erase(5); },
+    {"RaggedRow", [](files::Json& j) { j["M"][1].erase(5); },
      "M[1] is 5 numbers long; allowed: 6 numbers. Check the row against the channel lists."},
     {"FlatMatrix",
-     [](Json& j) {
+     [](files::Json& j) {
        j["A"] = {1, 2};
      },
      "A[0] is 1; allowed: an array of numbers. Write it as [1, 2, ...]."},
-    {"NullEntry", [](Json& j) { j["L"][1][3] = nullptr; },
+    {"NullEntry", [](files::Json& j) { j["L"][1][3] = nullptr; },
      "L[1][3] is null; allowed: a finite number. Write the number, or derive the matrix again."},
-    {"NegativeSigma", [](Json& j) { j["health"][1]["sigma"] = -0.02; },
+    {"NegativeSigma", [](files::Json& j) { j["health"][1]["sigma"] = -0.02; },
      "health[1].sigma is -0.02; allowed: a number above 0. Give the standard deviation over the fleet."},
-    {"ZeroNoise", [](Json& j) { j["sensors"][3]["noise_sigma"] = 0.0; },
+    {"ZeroNoise", [](files::Json& j) { j["sensors"][3]["noise_sigma"] = 0.0; },
      "sensors[3].noise_sigma is 0.0; allowed: a number above 0. Give the standard deviation of one sample's noise."},
-    {"DuplicateName", [](Json& j) { j["health"][4]["name"] = "h1"; },
+    {"DuplicateName", [](files::Json& j) { j["health"][4]["name"] = "h1"; },
      "health[4].name is \"h1\" again; allowed: each name once in its list. Rename one of the two."},
     {"TooManyStates",
-     [](Json& j) {
+     [](files::Json& j) {
        for (int i = 0; i < 11; ++i)
          j["states"].push_back({{"name", "s" + std::to_string(i)}, {"unit", "-"}, {"trim", 1}});
        j["A"] = j["process_noise"] = std::vector<std::vector<double>>(13, std::vector<double>(13, 0.0));
@@ -182,45 +181,45 @@ const Defect defects[] = {
      },
      "states is 13 channels long; allowed: 1 to 12 channels. Choose the channels that matter most."},
     {"NoHealth",
-     [](Json& j) {
-       for (const char* key : {"health", "L", "M", "N"}) j[key] = Json::array();
+     [](files::Json& j) {
+       for (const char* key : {"health", "L", "M", "N"}) j[key] = files::Json::array();
      },
      "health is 0 channels long; allowed: 1 to 16 channels. Choose the channels that matter most."},
-    {"HealthUnit", [](Json& j) { j["health"][0]["unit"] = "points"; },
+    {"HealthUnit", [](files::Json& j) { j["health"][0]["unit"] = "points"; },
      "health[0].unit is \"points\"; allowed: fraction, -, percent, %. Express the health parameter relative to "
      "nominal."},
-    {"ZeroTrim", [](Json& j) { j["auxiliary"][1]["trim"] = 0; },
+    {"ZeroTrim", [](files::Json& j) { j["auxiliary"][1]["trim"] = 0; },
      "auxiliary[1].trim is 0.0; allowed: a number other than 0, since errors in lbf are reported in percent of trim. "
      "Give the value at the trim point."},
-    {"AsymmetricNoise", [](Json& j) { j["process_noise"][0][1] = 0.1; },
+    {"AsymmetricNoise", [](files::Json& j) { j["process_noise"][0][1] = 0.1; },
      "process_noise is not symmetric; allowed: a covariance matrix. Give the covariance of w per sample."},
-    {"NegativeNoise", [](Json& j) { j["process_noise"][0][0] = -0.25; },
+    {"NegativeNoise", [](files::Json& j) { j["process_noise"][0][0] = -0.25; },
      "process_noise is a matrix with the eigenvalue -0.25; allowed: no negative eigenvalue. Give the covariance of w "
      "per "
      "sample."},
     {"UnstableDiscrete",
-     [](Json& j) {
+     [](files::Json& j) {
        j["A"] = {{1.25, 0}, {0, 0.5}};
      },
      "A is unstable: its eigenvalue 1.25 has the modulus 1.25; allowed: below 1 for time \"discrete\". Check the "
      "sample "
      "time, the sign of A, and whether the model is continuous."},
     {"UnstablePair",  // of a rotation by 90 degrees times 2
-     [](Json& j) {
+     [](files::Json& j) {
        j["A"] = {{0, 2}, {-2, 0}};
      },
      "A is unstable: its eigenvalue 0.0 +- 2.0 i has the modulus 2.0; allowed: below 1 for time \"discrete\". Check "
      "the "
      "sample time, the sign of A, and whether the model is continuous."},
     {"UnstableContinuous",
-     [](Json& j) {
+     [](files::Json& j) {
        j["time"] = "continuous";
        j["A"] = {{0.5, 0}, {0, -1}};
      },
      "A is unstable: its eigenvalue 0.5 does not decay; allowed: real part below 0 for time \"continuous\". Check the "
      "sign of A, and whether the model is discrete."},
     {"OperatingPoint",
-     [](Json& j) {
+     [](files::Json& j) {
        j["operating_point"] = {{"altitude_m", 0}, {"mach", 0}};
      },
      "key operating_point.delta_isa_k is missing. Add it."},
@@ -247,18 +246,18 @@ TEST(ModelFile, AbsentFileIsNamed) {
   try {
     read_model("/nonexistent/m.json");
     FAIL() << "an absent file was read";
-  } catch (const FileError& error) {
+  } catch (const files::FileError& error) {
     EXPECT_STREQ(error.what(), "/nonexistent/m.json: no such file. Check the path.");
   }
 }
 
 TEST(ModelFile, ADefectiveModelIsNotWritten) {
-  linear_model::LinearModel model = test::made_up_model();
+  LinearModel model = test::made_up_model();
   model.N(0, 0) = std::numeric_limits<double>::quiet_NaN();
   const std::string path = test::temporary_path("never.json");
-  EXPECT_THROW(write_model(model, path), FileError);
+  EXPECT_THROW(write_model(model, path), files::FileError);
   EXPECT_FALSE(std::ifstream(path).good());
 }
 
 }  // namespace
-}  // namespace ehm::design
+}  // namespace ehm::linear_model

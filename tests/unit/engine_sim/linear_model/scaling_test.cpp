@@ -5,7 +5,7 @@
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"
 
-namespace ehm::estimation {
+namespace ehm::linear_model {
 namespace {
 
 LinearModel with_auxiliary(const Channel& channel) {
@@ -103,7 +103,7 @@ TEST(Scaling, ScaledModelIsTheSameModel) {
   const LinearModel model = test::made_up_model();
   const Scaling scaling = scaling_of(model);
   const LinearModel scaled_model = scaled(model, scaling);
-  const SteadyGain a = steady_gain(model), b = steady_gain(scaled_model);
+  const estimation::SteadyGain a = estimation::steady_gain(model), b = estimation::steady_gain(scaled_model);
   EXPECT_LT((a.H * scaling.health.asDiagonal() - scaling.sensor.asDiagonal() * b.H).norm() / a.H.norm(), 1e-14);
   EXPECT_LT((a.Hz * scaling.health.asDiagonal() - scaling.auxiliary.asDiagonal() * b.Hz).norm() / a.Hz.norm(), 1e-14);
   EXPECT_TRUE(scaled_model.process_noise.isApprox(1e-4 * Eigen::MatrixXd::Identity(2, 2), 1e-12));
@@ -117,17 +117,17 @@ TEST(SteadyGain, OneStateByHand) {
   const auto scalar = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value); };
   model.A = scalar(0.5), model.L = scalar(2.0), model.C = scalar(3.0), model.M = scalar(1.0);
   model.F = scalar(1.0), model.N = scalar(0.0);
-  const SteadyGain gain = steady_gain(model);
+  const estimation::SteadyGain gain = estimation::steady_gain(model);
   EXPECT_DOUBLE_EQ(gain.X(0, 0), 4.0);
   EXPECT_DOUBLE_EQ(gain.H(0, 0), 13.0);
   EXPECT_DOUBLE_EQ(gain.Hz(0, 0), 4.0);
   // Continuous: 0 = -0.5 x + 2 h.
   model.discrete = false;
   model.A = scalar(-0.5);
-  EXPECT_DOUBLE_EQ(steady_gain(model).H(0, 0), 13.0);
+  EXPECT_DOUBLE_EQ(estimation::steady_gain(model).H(0, 0), 13.0);
   model.A = scalar(0.0);
-  EXPECT_THROW(steady_gain(model), std::runtime_error) << "an integrator has no steady state";
+  EXPECT_THROW(estimation::steady_gain(model), std::runtime_error) << "an integrator has no steady state";
 }
 
 }  // namespace
-}  // namespace ehm::estimation
+}  // namespace ehm::linear_model

@@ -18,7 +18,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 using Json = nlohmann::json;
@@ -264,4 +264,4 @@ TEST_F(FitMaps, TheCommittedMapsAreThoseOfTheCommittedSettings) {
 }
 
 }  // namespace
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -9,7 +9,7 @@
 #include "engine_sim/map_fit/map_tables.h"
 #include "engine_sim/model/maps/spline.h"
 
-namespace ehm::tuner_design {
+namespace ehm::engine_sim {
 namespace {
 
 using engine_sim::CompressorMap;
@@ -110,4 +110,4 @@ TEST(FittedMaps, AgreeWithTheTablesWhereEnginesOperate) {
 }
 
 }  // namespace
-}  // namespace ehm::tuner_design
+}  // namespace ehm::engine_sim

@@ -2,48 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "tests/unit/monitor/cycle/flight.h"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::align_val_t) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-  std::free(p);
-}
+#include "tests/unit/monitor/estimation/allocation_counter.h"
 
 namespace {
 
 using namespace ehm;
 
 TEST(Allocation, TheCounterCounts) {
-  const std::size_t before = allocations;
+  const long before = test::allocation_count();
   ::operator delete(::operator new(1));  // a new expression could be optimised away
-  EXPECT_EQ(allocations, before + 1);
+  EXPECT_EQ(test::allocation_count(), before + 1);
 }
 
 TEST(Allocation, NoneOnTheCyclePath) {
@@ -66,14 +37,14 @@ TEST(Allocation, NoneOnTheCyclePath) {
     if (k >= 5500) s.source_time_ns -= 60'000'000'000;
     samples.push_back(s);
   }
-  const std::size_t before = allocations;
+  const long before = test::allocation_count();
   for (const auto& s : samples) {
     cycle.process(s);
     cycle.no_input(0.001);
     cycle.clear_events();
   }
   cycle.reset();
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::allocation_count(), before);
   EXPECT_GT(cycle.counters().withheld, 0u);
   EXPECT_GT(cycle.counters().restarts, 1u);
   EXPECT_GT(cycle.events().raised_total(), 4u);
@@ -88,9 +59,9 @@ TEST(Allocation, NoneWhenACycleBecomesAsItWas) {
   test::Flight flight(test::made_up_design()->model, Eigen::VectorXd::Zero(10), 3);
   monitor::Sample sample;
   for (int i = 0; i < 500; ++i) used.process(sample = flight.next());
-  const std::size_t before = allocations;
+  const long before = test::allocation_count();
   used = pristine;
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(test::allocation_count(), before);
   // and it is as new: the same samples give the same bits
   monitor::MonitorCycle fresh(pristine);
   test::Flight again(test::made_up_design()->model, Eigen::VectorXd::Zero(10), 4);

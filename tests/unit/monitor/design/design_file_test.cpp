@@ -30,7 +30,7 @@ std::string text_of(const std::string& path) {
 std::string message_of(const std::string& path) {
   try {
     read_design(path);
-  } catch (const FileError& error) {
+  } catch (const files::FileError& error) {
     return error.what();
   }
   return "accepted";
@@ -41,9 +41,9 @@ class DesignFile : public ::testing::Test {
   void SetUp() override { hash = write_design(design, path); }
   void rewrite(const std::string& text) const { std::ofstream(path) << text; }
   /// Changes the content and gives it a matching hash, as a wrong program would.
-  void rewrite_with_hash(Json json) const {
+  void rewrite_with_hash(files::Json json) const {
     json.erase("hash");
-    const std::string new_hash = sha256_hex(json.dump());
+    const std::string new_hash = files::sha256_hex(json.dump());
     json["hash"] = new_hash;
     rewrite(json.dump());
   }
@@ -67,7 +67,7 @@ void expect_equal(const SubsetDesign& a, const SubsetDesign& b) {
 
 TEST(ContentHash, IsSha256) {
   // FIPS 180-4, example of one block.
-  EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(files::sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
 TEST_F(DesignFile, RoundTripIsExact) {
@@ -91,7 +91,7 @@ TEST_F(DesignFile, RoundTripIsExact) {
 }
 
 TEST_F(DesignFile, LayoutDoesNotMatterToTheHash) {
-  rewrite(Json::parse(text_of(path)).dump(7));
+  rewrite(files::Json::parse(text_of(path)).dump(7));
   EXPECT_EQ(read_design(path).hash, hash);
 }
 
@@ -105,12 +105,12 @@ TEST_F(DesignFile, TruncatedAtAnyTenthIsRefused) {
 }
 
 TEST_F(DesignFile, ChangedByHandIsRefused) {
-  Json json = Json::parse(text_of(path));
+  files::Json json = files::Json::parse(text_of(path));
   json["designs"]["full"]["K"][0][0] = json["designs"]["full"]["K"][0][0].get<double>() * (1.0 + 1e-15);
   const std::string actual = [&] {
-    Json content = json;
+    files::Json content = json;
     content.erase("hash");
-    return sha256_hex(content.dump());
+    return files::sha256_hex(content.dump());
   }();
   rewrite(json.dump());
   EXPECT_EQ(message_of(path), path + ": hash is \"" + hash + "\"; allowed: \"" + actual +
@@ -119,7 +119,7 @@ TEST_F(DesignFile, ChangedByHandIsRefused) {
 }
 
 TEST_F(DesignFile, OlderSchemaAndOtherFilesAreRefused) {
-  Json json = Json::parse(text_of(path));
+  files::Json json = files::Json::parse(text_of(path));
   json["schema"] = "ehm-design/2";
   rewrite_with_hash(json);
   EXPECT_EQ(message_of(path),
@@ -137,8 +137,8 @@ TEST_F(DesignFile, OlderSchemaAndOtherFilesAreRefused) {
 }
 
 TEST_F(DesignFile, AMatchingHashDoesNotExcuseWrongContent) {
-  const Json good = Json::parse(text_of(path));
-  Json json = good;
+  const files::Json good = files::Json::parse(text_of(path));
+  files::Json json = good;
   for (auto& row : json["designs"]["full"]["K"]) {
     for (auto& value : row) value = 0.0;
   }
@@ -202,7 +202,7 @@ TEST_F(DesignFile, WritingLeavesNoTemporaryFileAndFailsAsAWhole) {
   try {
     write_design(broken, path);
     FAIL() << "NaN was written";
-  } catch (const FileError& error) {
+  } catch (const files::FileError& error) {
     EXPECT_EQ(std::string(error.what()),
               path +
                   ": designs.full.P[0][0] is NaN; allowed: a finite number. Nothing was written; find out where the "
@@ -212,7 +212,7 @@ TEST_F(DesignFile, WritingLeavesNoTemporaryFileAndFailsAsAWhole) {
   try {
     write_design(design, "/nonexistent/d.json");
     FAIL() << "written into a folder that does not exist";
-  } catch (const FileError& error) {
+  } catch (const files::FileError& error) {
     EXPECT_STREQ(
         error.what(),
         "/nonexistent/d.json: cannot be written: No such file or directory. Check the folder and its permissions.");

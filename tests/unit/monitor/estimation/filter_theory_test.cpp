@@ -21,7 +21,7 @@ struct Errors {
 
 /// Final errors of the filter over the fleet with one sensor set.
 Errors fly_fleet(const design::Design& design, SensorSet set, test::Random& random) {
-  const LinearModel& model = design.model;
+  const linear_model::LinearModel& model = design.model;
   TunerFilter filter = design::make_filter(design);
   Errors errors{Eigen::MatrixXd(model.L.cols(), engines), Eigen::MatrixXd(model.F.rows(), engines)};
   Eigen::VectorXd z_trim(model.F.rows());
@@ -63,8 +63,8 @@ void expect_agreement(const Eigen::MatrixXd& errors, const Eigen::VectorXd& sigm
 class FilterTheory : public ::testing::Test {
  protected:
   /// An engine that moves so much that a theory without process noise fails.
-  static LinearModel restless() {
-    LinearModel model = test::made_up_model();
+  static linear_model::LinearModel restless() {
+    linear_model::LinearModel model = test::made_up_model();
     model.process_noise *= 4.0;
     return model;
   }

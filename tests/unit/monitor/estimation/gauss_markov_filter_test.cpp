@@ -26,7 +26,7 @@ class GaussMarkov : public ::testing::Test {
     return tuner_design::design_tuner(test::made_up_model(4, 6), options);
   }
   const design::Design tuners = closed_form();
-  const LinearModel model = scaled(tuners.model, tuners.scaling);
+  const linear_model::LinearModel model = linear_model::scaled(tuners.model, tuners.scaling);
   const SteadyGain steady = steady_gain(model);
   const double rho = tuner_design::gauss_markov_rho(model, tuners.options.qh_percent2);
   const design::SubsetDesign theory = tuner_design::gauss_markov_design(model, steady, rho);

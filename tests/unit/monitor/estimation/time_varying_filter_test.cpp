@@ -23,15 +23,15 @@ namespace ehm::estimation {
 namespace {
 
 /// Made-up engine in scaled units, with and without process noise.
-LinearModel scaled_engine(bool process_noise) {
-  const LinearModel model = test::made_up_model(4, 6);
-  LinearModel result = scaled(model, scaling_of(model));
+linear_model::LinearModel scaled_engine(bool process_noise) {
+  const linear_model::LinearModel model = test::made_up_model(4, 6);
+  linear_model::LinearModel result = linear_model::scaled(model, linear_model::scaling_of(model));
   if (!process_noise) result.process_noise.setZero();
   return result;
 }
 
 struct Fleet {
-  explicit Fleet(const LinearModel& model)
+  explicit Fleet(const linear_model::LinearModel& model)
       : steady(steady_gain(model)),
         Ph(model.health_sigma.cwiseAbs2().asDiagonal()),
         R(model.sensor_noise_sigma.cwiseAbs2().asDiagonal()) {}
@@ -50,7 +50,7 @@ const SensorMask all_sensors = SensorMask{}.set();
 const ActuatorVector no_actuators = ActuatorVector::Zero(1);
 
 TEST(TimeVaryingFilter, OneSampleOfASettledEngineIsFullMap) {
-  const LinearModel model = scaled_engine(false);
+  const linear_model::LinearModel model = scaled_engine(false);
   const Fleet fleet(model);
   test::Random random(1);
   const Eigen::VectorXd y = random.normal_vector(4);
@@ -67,9 +67,9 @@ TEST(TimeVaryingFilter, OneSampleOfASettledEngineIsFullMap) {
 
 TEST(TimeVaryingFilter, OneSampleOfAMovingEngineIsFullMapWithItsMotionAsNoise) {
   // The sensors then read H h + C dx + v with the stationary cov(dx): full MAP with R + C cov(dx) C^T.
-  const LinearModel model = scaled_engine(true);
+  const linear_model::LinearModel model = scaled_engine(true);
   const Fleet fleet(model);
-  const Eigen::MatrixXd motion = stationary_covariance(model.A, model.process_noise);
+  const Eigen::MatrixXd motion = linear_model::stationary_covariance(model.A, model.process_noise);
   EXPECT_LT((model.A * motion * model.A.transpose() + model.process_noise - motion).norm(), 1e-12 * motion.norm());
   const Eigen::MatrixXd R = fleet.R + model.C * motion * model.C.transpose();
   const Eigen::MatrixXd E = tuner_design::full_map_gain(fleet.steady.H, fleet.Ph, R);
@@ -80,7 +80,7 @@ TEST(TimeVaryingFilter, OneSampleOfAMovingEngineIsFullMapWithItsMotionAsNoise) {
 }
 
 TEST(TimeVaryingFilter, ManySamplesAreMapOnTheirAverageAndTendToTheBayesLimit) {
-  const LinearModel model = scaled_engine(false);
+  const linear_model::LinearModel model = scaled_engine(false);
   const Fleet fleet(model);
   for (const int samples : {1, 2, 10, 1000}) {
     SCOPED_TRACE(samples);
@@ -97,7 +97,7 @@ TEST(TimeVaryingFilter, ManySamplesAreMapOnTheirAverageAndTendToTheBayesLimit) {
 }
 
 TEST(TimeVaryingFilter, TheWindowIsTheMeanOfItsSamples) {
-  const LinearModel model = scaled_engine(true);
+  const linear_model::LinearModel model = scaled_engine(true);
   const design::ErrorByChannel nine = tuner_design::limit_after(model, 9), ten = tuner_design::limit_after(model, 10);
   const design::ErrorByChannel mean = tuner_design::limit_after(model, 10, 2);
   EXPECT_TRUE(mean.health.isApprox(0.5 * (nine.health + ten.health), 1e-14));
@@ -114,7 +114,7 @@ SensorMask present_at(int k) {
 
 TEST(TimeVaryingFilter, AVaryingSensorSetAddsUpItsInformation) {
   // Without process noise: Phh^-1 = Ph^-1 + sum over samples and fused sensors of H_i^T H_i / r_i.
-  const LinearModel model = scaled_engine(false);
+  const linear_model::LinearModel model = scaled_engine(false);
   const Fleet fleet(model);
   TimeVaryingFilter filter(full_order_model(model));
   Eigen::MatrixXd information = fleet.Ph.inverse();
@@ -135,7 +135,7 @@ TEST(TimeVaryingFilter, AVaryingSensorSetAddsUpItsInformation) {
 }
 
 TEST(TimeVaryingFilter, NothingFusedMovesNothingAndKeepsTheSettledEngine) {
-  const LinearModel model = scaled_engine(false);
+  const linear_model::LinearModel model = scaled_engine(false);
   TimeVaryingFilter filter(full_order_model(model));
   const FullOrderCovariance before = filter.covariance();
   for (int k = 0; k < 10; ++k) {
@@ -148,7 +148,7 @@ TEST(TimeVaryingFilter, NothingFusedMovesNothingAndKeepsTheSettledEngine) {
 }
 
 TEST(TimeVaryingFilter, CovarianceStaysSymmetricAndDefiniteForHalfAnHour) {
-  const LinearModel model = scaled_engine(true);
+  const linear_model::LinearModel model = scaled_engine(true);
   TimeVaryingFilter filter(full_order_model(model));
   for (int k = 0; k < 120000; ++k) {
     filter.predict(no_actuators);
@@ -164,11 +164,13 @@ struct Flight {
   Eigen::VectorXd health, auxiliary, innovation;
 };
 
-Flight fly(const LinearModel& model, const SteadyGain& steady, TimeVaryingFilter& filter, test::Random& random) {
+Flight fly(const linear_model::LinearModel& model, const SteadyGain& steady, TimeVaryingFilter& filter,
+           test::Random& random) {
   constexpr int samples = 40;
   const Eigen::VectorXd h = model.health_sigma.cwiseProduct(random.normal_vector(6));
   const Eigen::VectorXd w_sigma = model.process_noise.diagonal().cwiseSqrt();
-  const Eigen::MatrixXd motion = covariance_root(stationary_covariance(model.A, model.process_noise));
+  const Eigen::MatrixXd motion =
+      linear_model::covariance_root(linear_model::stationary_covariance(model.A, model.process_noise));
   Eigen::VectorXd x = steady.X * h + motion * random.normal_vector(2), z;
   ActuatorVector u = ActuatorVector::Zero(1), previous = u;
   filter.reset();
@@ -191,7 +193,7 @@ Flight fly(const LinearModel& model, const SteadyGain& steady, TimeVaryingFilter
 TEST(TimeVaryingFilter, CovarianceIsThatOfItsErrorsOverTheFleet) {
   // e is normal, so that the mean of e^2 over N engines scatters with sigma^2 sqrt(2/N); 3.5 of these for 12 channels.
   constexpr int engines = 3000;
-  LinearModel model = scaled_engine(true);
+  linear_model::LinearModel model = scaled_engine(true);
   model.process_noise.diagonal().setConstant(0.04);  // large enough to matter beside 0.5 % of sensor noise
   const SteadyGain steady = steady_gain(model);
   TimeVaryingFilter filter(full_order_model(model));
@@ -226,7 +228,7 @@ TEST(TimeVaryingFilter, AllocatesNothing) {
 }
 
 TEST(FullOrderModelTest, RefusesWhatItCannotHold) {
-  LinearModel model = scaled_engine(true);
+  linear_model::LinearModel model = scaled_engine(true);
   model.discrete = false;
   EXPECT_THROW(full_order_model(model), std::invalid_argument);
   EXPECT_THROW(full_order_model(test::made_up_model(17, 6)), std::invalid_argument);

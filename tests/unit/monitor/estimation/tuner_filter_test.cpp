@@ -72,7 +72,7 @@ TEST(TunerFilter, ConvergesToTheObliqueProjectionAndReproducesTheSensors) {
 TEST(TunerFilter, KnownInputsDoNotDisturb) {
   // x+ = A x + B u, y = C x + D u, z = F x + G u with h = 0: the filter knows u, and so it follows without error.
   Bench bench;
-  const LinearModel& model = bench.design.model;
+  const linear_model::LinearModel& model = bench.design.model;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2);
   ActuatorVector previous = ActuatorVector::Zero(1);
   for (int k = 0; k < 200; ++k) {
@@ -189,7 +189,7 @@ TEST(TunerFilter, ResetForgets) {
 }
 
 TEST(TunerFilter, HealthAtTrimIsAdded) {
-  LinearModel model = test::made_up_model();
+  linear_model::LinearModel model = test::made_up_model();
   model.health[3].trim = -0.015;
   const TunerFilter filter = design::make_filter(tuner_design::design_tuner(model, {}));
   EXPECT_DOUBLE_EQ(filter.health()(3), -0.015);

@@ -40,7 +40,7 @@ class ImportCommand : public testing::Test {
   /// The model as JSON, as MATLAB file, as CSV folder.
   /// A list of candidates is longer than what write_model writes: the others are put behind by hand.
   void write_json(LinearModel model) {
-    const std::size_t most = estimation::max_sensors, all = model.sensors.size();
+    const std::size_t most = linear_model::max_sensors, all = model.sensors.size();
     const LinearModel whole = model;
     if (all > most) {
       model.sensors.resize(most);

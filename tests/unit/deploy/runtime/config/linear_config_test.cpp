@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <CLI/App.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
