@@ -80,7 +80,8 @@ struct GasPath {
   double stall_margin_fan_percent = 0.0;  ///< constant corrected flow, surge and working PR from the unscaled map
   double stall_margin_lpc_percent = 0.0;
   double stall_margin_hpc_percent = 0.0;
-  std::array<double, 3> metal_dot_k_s{};  ///< heat soak (heat_soak.h); zero without it
+  std::array<double, 3> metal_k{};        ///< heat soak (heat_soak.h); without it that of the gas
+  std::array<double, 3> metal_dot_k_s{};  ///< zero without heat soak
 };
 
 }  // namespace ehm::engine_sim

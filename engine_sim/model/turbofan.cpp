@@ -171,6 +171,7 @@ GasPath Turbofan::report(const CycleInput<S>& input, const Cycle<S>& c) const {
   g.s40 = to_station(c.s40);
   g.s48 = to_station(c.s48);
   g.s50 = to_station(c.s50);
+  g.metal_k = {g.s30.tt_k, g.s48.tt_k, g.s50.tt_k};  // the duct behind the HPT keeps the temperature
   g.ps_30_pa = static_pressure_pa(g.s30, data_.hpc_exit_area_m2);
   g.speeds = {value(input.n1_rpm), value(input.n2_rpm)};
   g.n1_dot_rpm_s = shaft_acceleration_rpm_s(value(c.lp_turbine_power_w) - value(c.lp_absorbed_power_w), g.speeds.n1_rpm,

@@ -91,7 +91,9 @@ GasPath FlowBalance::solve(const Operation& operation, const SpoolSpeeds& speeds
     newton(held, x);
   }
   unknowns = {unpack(x)};
-  return engine_.report(input_, cycle_);
+  GasPath gas = engine_.report(input_, cycle_);
+  if (metal != nullptr) gas.metal_k = *metal;
+  return gas;
 }
 
 }  // namespace ehm::engine_sim
