@@ -174,7 +174,8 @@ TEST_F(LineariseAtCruise, HeatSoakAddsSlowStatesAndKeepsTheSteadyGain) {
 
 TEST_F(LineariseAtCruise, SensorLagsBecomeStatesWithTheirTimeConstants) {
   LineariseOptions lagging = options;
-  lagging.sensors = {.lag_speed_s = 0.0, .lag_pressure_s = 0.04, .lag_temperature_s = 0.7};
+  lagging.sensors.lag_pressure_s = 0.04;
+  lagging.sensors.lag_temperature_s = 0.7;
   lagging.fleet = 0;
   const linear_model::LinearModel model = linearise(engine_sim::default_engine(), lagging).model;
   ASSERT_EQ(model.A.rows(), 2 + 2 + 3);  // P24, Ps30; T24, T30, T48
