@@ -8,20 +8,22 @@
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/service/exit_code.h"
 #include "engine_sim/deck/deck_command.h"
+#include "engine_sim/engine_command/engine_command.h"
 #include "engine_sim/figures/maps_command.h"
 
 namespace ehm::engine_sim {
 
 void add_commands(CLI::App& app, Command& run) {
   add_deck_command(app, run);
+  add_engine_command(app, run);
   add_maps_command(app, run);
 }
 
 std::optional<int> run_command(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const std::string command = argc > 1 ? argv[1] : "-";
   if (command.starts_with('-')) return std::nullopt;
-  if (command != "deck" && command != "maps") {
-    err << config::unknown_command("engine_sim", command, {"deck", "maps"}, "the service's options");
+  if (command != "deck" && command != "engine" && command != "maps") {
+    err << config::unknown_command("engine_sim", command, {"deck", "engine", "maps"}, "the service's options");
     return service::exit_usage;
   }
   Command run;

@@ -4,7 +4,6 @@
 #include <sstream>
 #include <string>
 
-#include "engine_sim/engines/jt9d.h"
 #include "engine_sim/simulation_channels.h"
 
 namespace ehm::engine_sim {
@@ -26,8 +25,8 @@ SteadyPoint trimmed(const Turbofan& turbofan, const Scenario& scenario) {
   } catch (const std::exception& e) {
     std::ostringstream text;
     text << describe(scenario.flight, std::string(demand_names[static_cast<std::size_t>(scenario.demand.kind)]))
-         << " = " << scenario.demand.value
-         << " (at cruise t40_k may be some 1000 to 1400); change demand or flight: " << e.what();
+         << " = " << scenario.demand.value << " (t40_k may be up to some " << turbofan.data().ratings.t40_max_k
+         << "); change demand or flight: " << e.what();
     throw FlightError(text.str());
   }
 }
@@ -56,14 +55,15 @@ HealthVector health_at(const Deterioration& deterioration, double time_s) {
 
 Simulation::Simulation(const Scenario& scenario)
     : scenario_(scenario),
-      turbofan_(jt9d()),
+      turbofan_(scenario.engine->data),
       nominal_(trimmed(turbofan_, scenario)),
       profile_({0.0, scenario.flight, {DemandKind::n1_rpm, nominal_.gas.speeds.n1_rpm}}, scenario.profile),
       deterioration_(scenario),
       fan_speed_(turbofan_, scenario.control),
       engine_(started(turbofan_, scenario, {profile_.at(0.0).flight, health_at(deterioration_, 0.0), scenario.offtake},
                       fan_speed_.n1_rpm(profile_.at(0.0).demand, profile_.at(0.0).flight))),
-      sensors_(scenario.sensors, true_sensors(nominal_.gas), static_cast<std::uint64_t>(scenario.seed)),
+      sensors_(scenario.engine->channels.sensors, scenario.sensors, true_sensors(*scenario.engine, nominal_.gas),
+               static_cast<std::uint64_t>(scenario.seed)),
       channels_(channels_of(scenario, nominal_, sensors_)),
       pending_faults_(scenario.faults) {}
 
@@ -79,8 +79,8 @@ SimSample Simulation::next() {
   const auto [actuation, geometry, gas] = step(now, sample.health);
   sample.actuation = actuation;
   sample.geometry = geometry;
-  sample.auxiliary = true_auxiliary(gas);
-  sample.readings = sensors_.read(gas, sample.time_s, scenario_.sample_time_s);
+  sample.auxiliary = true_auxiliary(*scenario_.engine, gas);
+  sample.readings = sensors_.read(true_sensors(*scenario_.engine, gas), sample.time_s, scenario_.sample_time_s);
   ++sequence_;
   return sample;
 }
@@ -122,11 +122,12 @@ bool Simulation::can_fly(const FlightCondition& flight) const {
 
 bool Simulation::can_wear(std::size_t parameter, double target, double ramp_s) const {
   const HealthVector now = health_at(deterioration_, time_s());
+  const Health worn = health(parameter);
   const double trial_ramp_s = std::min(ramp_s, 1.0);
   return survives(3.0, profile_.at(time_s()).flight, [&](double flown_s) {
     HealthVector h = now;
     const double share = trial_ramp_s > 0.0 ? std::min(1.0, flown_s / trial_ramp_s) : 1.0;
-    h[parameter] += share * (target - now[parameter]);
+    h[worn] += share * (target - now[worn]);
     return h;
   });
 }

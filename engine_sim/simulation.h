@@ -8,10 +8,10 @@
 // @throws FlightError when the first demand or the flight leaves no running engine; the message says when, where, what
 // was demanded, and which balance does not close.
 
-#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "engine_sim/control/controlled_engine.h"
 #include "engine_sim/control/fan_speed_demand.h"
@@ -27,10 +27,10 @@ struct SimSample {
   double time_s = 0.0;
   FlightCondition flight;
   Actuation actuation;
-  Geometry geometry;  ///< as the gas path felt it: vanes off their schedule
-  std::array<Reading, sensor_count> readings{};
+  Geometry geometry;              ///< as the gas path felt it: vanes off their schedule
+  std::vector<Reading> readings;  ///< in the order of the engine's channels
   HealthVector health{};
-  std::array<double, auxiliary_count> auxiliary{};
+  std::vector<double> auxiliary;
 };
 
 class FlightError : public std::runtime_error {
@@ -58,11 +58,11 @@ class Simulation : public SimulatedEngine {
   void fly(const FlightCondition& flight) override { profile_.override_flight(flight); }
   /// Moves a health parameter to `target` within ramp_s, from now on.
   void order_health(std::size_t parameter, double target, double ramp_s) override {
-    deterioration_.order(parameter, target, ramp_s, time_s());
+    deterioration_.order(health(parameter), target, ramp_s, time_s());
   }
   double most_net_thrust_n() const override;
   HealthRange health_range(std::size_t) const override { return {health_min, health_max}; }
-  double health_of(std::size_t parameter) const override { return deterioration_.at(time_s(), parameter); }
+  double health_of(std::size_t parameter) const override { return deterioration_.at(time_s(), health(parameter)); }
   /// Does the engine go on running for a second, if the flight condition jumps there now?
   bool can_fly(const FlightCondition& flight) const override;
   /// Does it go on running for three seconds, if a health parameter moves there within ramp_s (a second at most here)?
@@ -70,6 +70,8 @@ class Simulation : public SimulatedEngine {
   void inject(std::size_t sensor, const SensorFault& fault) override { sensors_.inject(sensor, fault); }
 
  private:
+  /// Of a health channel among the gas path's.
+  Health health(std::size_t channel) const { return scenario_.engine->channels.health.at(channel).parameter; }
   /// Flies a copy on for so long, under the flight condition and with the health of each moment from now.
   template <class Flight, class Health>
   bool survives(double seconds, Flight flight, Health health_at) const;

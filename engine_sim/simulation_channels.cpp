@@ -5,32 +5,49 @@
 #include "engine_sim/simulation.h"
 
 namespace ehm::engine_sim {
+namespace {
+
+std::vector<double> settings(const EngineDefinition& engine, double fuel_flow_kg_s, const Geometry& geometry) {
+  Operation operation{.fuel_flow_kg_s = fuel_flow_kg_s, .geometry = geometry};
+  std::vector<double> values;
+  for (const ControlChannel* control : engine.channels.controls) values.push_back(control->of(operation));
+  return values;
+}
+
+/// A channel of the table with its trim.
+template <class Listed>
+EngineChannel described(const Listed& channel, double trim, double sigma = 0.0) {
+  return {std::string(channel.name), std::string(channel.unit), trim, sigma};
+}
+
+}  // namespace
 
 EngineChannels channels_of(const Scenario& scenario, const SteadyPoint& nominal, const SensorSuite& sensors) {
-  EngineChannels c{scenario.engine_type, scenario.sample_time_s, {}, {}, {}, {}};
-  c.actuators = {{"fuel_flow", "kg/s", nominal.gas.fuel_flow_kg_s},
-                 {"VSV", "deg"},  // off its schedule
-                 {"VBV", "fraction", nominal.operation.geometry.vbv_fraction}};
-  const auto sensor_trim = true_sensors(nominal.gas);
-  for (std::size_t i = 0; i < sensor_count; ++i)
-    c.sensors.push_back(
-        {std::string(sensor_names[i].name), std::string(sensor_names[i].unit), sensor_trim[i], sensors.noise_sigma(i)});
-  for (const auto& name : health_names) c.health.push_back({std::string(name), "fraction"});
-  const auto auxiliary_trim = true_auxiliary(nominal.gas);
-  for (std::size_t i = 0; i < auxiliary_count; ++i)
-    c.auxiliary.push_back(
-        {std::string(auxiliary_names[i].name), std::string(auxiliary_names[i].unit), auxiliary_trim[i]});
+  const EngineDefinition& engine = *scenario.engine;
+  const NamedChannels& named = engine.channels;
+  EngineChannels c{engine_type(engine.data), scenario.sample_time_s, {}, {}, {}, {}};
+  const auto controls = settings(engine, nominal.gas.fuel_flow_kg_s, nominal.operation.geometry);
+  const auto measured = true_sensors(engine, nominal.gas), auxiliary = true_auxiliary(engine, nominal.gas);
+  for (std::size_t i = 0; i < controls.size(); ++i) c.actuators.push_back(described(*named.controls[i], controls[i]));
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    c.sensors.push_back(described(*named.sensors[i].quantity, measured[i], sensors.noise_sigma(i)));
+  for (const HealthChannel& health : named.health)
+    c.health.push_back({std::string(health_names[health.parameter]), "fraction"});
+  for (std::size_t i = 0; i < auxiliary.size(); ++i)
+    c.auxiliary.push_back(described(*named.auxiliary[i], auxiliary[i]));
   return c;
 }
 
 EngineSample Simulation::next_sample() {
-  const SimSample s = next();
+  SimSample s = next();
+  std::vector<double> worn;
+  for (const HealthChannel& channel : scenario_.engine->channels.health) worn.push_back(s.health[channel.parameter]);
   return {s.sequence,
           s.flight,
-          {s.actuation.fuel_flow_kg_s, s.geometry.vsv_deg, s.geometry.vbv_fraction},
-          {s.readings.begin(), s.readings.end()},
-          {s.health.begin(), s.health.end()},
-          {s.auxiliary.begin(), s.auxiliary.end()}};
+          settings(*scenario_.engine, s.actuation.fuel_flow_kg_s, s.geometry),
+          std::move(s.readings),
+          std::move(worn),
+          std::move(s.auxiliary)};
 }
 
 std::string Simulation::start_text() const {

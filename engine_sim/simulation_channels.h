@@ -1,6 +1,6 @@
 #pragma once
-// The turbofan's channels in the order of the wire: actuators as in the linear model's u (fuel flow, vanes, bleed
-// valves), the seven sensors, the ten health parameters, the four outputs that no sensor measures.
+// The turbofan's channels as the wire describes them: those that its engine file names, in that order, with the trims of
+// the new engine. Actuators are the linear model's u.
 
 #include "engine_sim/scenario/scenario.h"
 #include "engine_sim/sensors/sensor_suite.h"

@@ -20,11 +20,11 @@ bool held(const ControlData& data, const Measurements& m) {
 /// Lets the control fly from a steady point in the middle of its range until the spools rest.
 SteadyPoint flown_to(const Turbofan& engine, const ControlData& data, const Surroundings& surroundings,
                      double n1_demand_rpm) {
-  constexpr double middle_n1_corrected_rpm = 3000.0, dt_s = 0.015, rest_rpm_s = 0.01;
+  constexpr double dt_s = 0.015, rest_rpm_s = 0.01;
   constexpr int longest = 20'000;
   const double root_theta = std::sqrt(intake(engine.data().inlet, surroundings.flight).tt_k / reference_temperature_k);
   const SteadyPoint middle =
-      solve_scheduled(engine, data, surroundings, {DemandKind::n1_rpm, middle_n1_corrected_rpm * root_theta});
+      solve_scheduled(engine, data, surroundings, {DemandKind::n1_rpm, data.middle_n1_corrected_rpm * root_theta});
   ControlledEngine run(engine, data, middle);
   ControlledSample last = run.step(surroundings, n1_demand_rpm, dt_s);
   for (int k = 0; k < longest; ++k) {

@@ -21,16 +21,17 @@ struct DeckRow {
   bool beyond_surge = false, beyond_ratings = false;
 };
 
-std::vector<const DeckOutput*> columns_of(const DeckCases& cases) {
-  std::vector<const DeckOutput*> columns;
-  for (const DeckOutput& output : deck_outputs()) {
+/// Outputs that are no inputs of these cases.
+std::vector<const OutputChannel*> columns_of(const DeckCases& cases) {
+  std::vector<const OutputChannel*> columns;
+  for (const OutputChannel* output : deck_outputs()) {
     const auto& inputs = cases.columns;
-    if (std::find(inputs.begin(), inputs.end(), output.name) == inputs.end()) columns.push_back(&output);
+    if (std::find(inputs.begin(), inputs.end(), output->column) == inputs.end()) columns.push_back(output);
   }
   return columns;
 }
 
-DeckRow solve_row(const Turbofan& engine, const DeckCase& one, const std::vector<const DeckOutput*>& columns) {
+DeckRow solve_row(const Turbofan& engine, const DeckCase& one, const std::vector<const OutputChannel*>& columns) {
   DeckRow row{one.inputs, {}};
   try {
     const SteadyPoint point = solve_steady(engine, one.operation, one.demand);
@@ -40,7 +41,8 @@ DeckRow solve_row(const Turbofan& engine, const DeckCase& one, const std::vector
         std::min({g.stall_margin_fan_percent, g.stall_margin_lpc_percent, g.stall_margin_hpc_percent}) < 0.0;
     row.beyond_ratings = limit_ratio(engine.data().ratings, g) > 1.0 + 1e-9;
     row.text += ",1";
-    for (const DeckOutput* column : columns) row.text += ',' + files::shortest(column->get(g));
+    for (const OutputChannel* column : columns)
+      row.text += ',' + files::shortest(column->read(g, engine.data().ratings));
   } catch (const std::exception& error) {  // whatever ends the solution, this row has none and the others go on
     row.text = one.inputs + ",0" + std::string(columns.size(), ',');
     row.reason = error.what();
@@ -51,8 +53,8 @@ DeckRow solve_row(const Turbofan& engine, const DeckCase& one, const std::vector
 
 /// Every row of the block; rows stay empty once it is stopped.
 std::vector<DeckRow> solve_block(const Turbofan& engine, std::span<const DeckCase> block,
-                                 const std::vector<const DeckOutput*>& columns, unsigned threads, const DeckSink& sink,
-                                 std::size_t done_before) {
+                                 const std::vector<const OutputChannel*>& columns, unsigned threads,
+                                 const DeckSink& sink, std::size_t done_before) {
   std::vector<DeckRow> rows(block.size());
   long_work::parallel_for(
       block.size(), threads,
@@ -69,12 +71,12 @@ std::string deck_header(const DeckCases& cases) {
   std::string header;
   for (const std::string& input : cases.columns) header += input + ',';
   header += "converged";
-  for (const DeckOutput* column : columns_of(cases)) header += ',' + column->name;
+  for (const OutputChannel* column : columns_of(cases)) header += ',' + std::string(column->column);
   return header + '\n';
 }
 
 DeckSummary write_deck(const Turbofan& engine, const DeckCases& cases, unsigned threads, const DeckSink& sink) {
-  const std::vector<const DeckOutput*> columns = columns_of(cases);
+  const std::vector<const OutputChannel*> columns = columns_of(cases);
   DeckSummary summary;
   sink.write(deck_header(cases));
   while (summary.cases < cases.cases.size()) {

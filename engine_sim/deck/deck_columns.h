@@ -1,7 +1,7 @@
 #pragma once
 // The columns of a performance deck: each input with its range and where it goes, each output and where it comes from.
 //   inputs   altitude_m, mach, delta_isa_k; one demand; optionally geometry, off-take and the ten health fractions
-//   outputs  W, Pt, Tt of eight stations, Ps30, speeds, fuel flow, thrust, ratios, stall margins in percent
+//   outputs  what the channel table tells of a steady point, in its order
 // Units stand in the names, SI. The ranges are those that the model accepts (a test holds them together); the
 // demands, which it leaves open, are kept to numbers of an engine.
 // Errors: none.
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine_sim/engines/channel_table.h"
 #include "engine_sim/model/solve/steady.h"
 
 namespace ehm::engine_sim {
@@ -23,12 +24,8 @@ struct DeckInput {
   std::function<void(Operation&, double)> set = {};  ///< not for a demand
 };
 
-struct DeckOutput {
-  std::string name;
-  std::function<double(const GasPath&)> get;
-};
-
 const std::vector<DeckInput>& deck_inputs();
-const std::vector<DeckOutput>& deck_outputs();
+/// The channels that have a column.
+const std::vector<const OutputChannel*>& deck_outputs();
 
 }  // namespace ehm::engine_sim

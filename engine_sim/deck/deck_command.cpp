@@ -16,7 +16,7 @@
 #include "deploy/runtime/service/stop_signal.h"
 #include "engine_sim/deck/deck.h"
 #include "engine_sim/deck/deck_columns.h"
-#include "engine_sim/engines/jt9d.h"
+#include "engine_sim/engines/shipped_engines.h"
 
 namespace ehm::engine_sim {
 namespace {
@@ -24,7 +24,7 @@ namespace {
 using files::FileError;
 
 struct Arguments {
-  std::string cases, out;
+  std::string cases, out, engine = "jt9d";
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   bool verbose = false;
 };
@@ -66,8 +66,8 @@ void print_speed(const DeckSummary& summary, unsigned threads, double elapsed_s,
 
 void make_deck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
   require_other_file(arguments);
+  const Turbofan engine(named_engine(arguments.engine)->data);
   const DeckCases cases = read_deck_cases(files::read_csv(arguments.cases));
-  const Turbofan engine(jt9d());
   const service::StopSignal stop;
   DeckOut deck(arguments.out, out);
   long_work::ProgressBar bar(err, isatty(STDERR_FILENO) == 1, cases.cases.size());
@@ -99,7 +99,7 @@ std::string column_help() {
             (input.demand ? "   exactly one of these" : "") + "\n";
   }
   return text + "The deck repeats them and adds converged (1 or 0; 0 leaves the rest of the row empty), flow, total\n" +
-         "pressure and temperature of each station, speeds, fuel flow, thrust and stall margins (percent).";
+         "pressure and temperature of each station, speeds, fuel flow, thrust, stall margins (percent) and EGT margin.";
 }
 
 }  // namespace
@@ -113,6 +113,9 @@ void add_deck_command(CLI::App& app, std::function<void(std::ostream&, std::ostr
   command->add_option("--out", arguments->out, "Deck to write, CSV; - is the standard output")
       ->required()
       ->type_name("FILE.csv");
+  command->add_option("--engine", arguments->engine, "Engine: a shipped one (" + shipped_engine_names() + ") or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
   command->add_option("--threads", arguments->threads, "Threads; the deck does not depend on their number")
       ->check(CLI::Range(1u, 1024u))
       ->capture_default_str();

@@ -1,6 +1,6 @@
 #pragma once
 // Everything that the control of one engine needs to know of it. Corrected speeds are N/sqrt(theta2) in rpm, ratio
-// units are those of measurements.h. Errors: none. Source of a particular engine's numbers: its file, jt9d_control.cpp.
+// units are those of measurements.h. Errors: none. Source of a particular engine's numbers: its file.
 
 #include "engine_sim/engines/schedule.h"
 
@@ -35,27 +35,27 @@ struct FuelResponse {
 
 struct FuelControlData {
   /// Speeds answer by fan speed: gain and lag over N1 corrected.
-  Schedule<6> n1_gain, n1_lag_s, n2_gain, n2_lag_s;
+  Schedule n1_gain, n1_lag_s, n2_gain, n2_lag_s;
   FuelResponse t48, ps_30;
   double speed_bandwidth_rad_s, t48_bandwidth_rad_s, ps_30_bandwidth_rad_s;
-  double reference_band;                   ///< relative to the demand: within it the reference of the governor is led
-  double reference_fuel_rate_per_s;        ///< so that its proportional part asks for this relative rate of fuel flow
-  Schedule<7> acceleration, deceleration;  ///< largest and least ratio units over N2 corrected
-  double theta_exponent;                   ///< m of the ratio units
-  double slew_per_s;                       ///< fastest relative change of fuel flow
-  double fuel_min_kg_s, fuel_max_kg_s;     ///< range of the metering valve
+  double reference_band;                ///< relative to the demand: within it the reference of the governor is led
+  double reference_fuel_rate_per_s;     ///< so that its proportional part asks for this relative rate of fuel flow
+  Schedule acceleration, deceleration;  ///< largest and least ratio units over N2 corrected
+  double theta_exponent;                ///< m of the ratio units
+  double slew_per_s;                    ///< fastest relative change of fuel flow
+  double fuel_min_kg_s, fuel_max_kg_s;  ///< range of the metering valve
 };
 
 /// Stator vanes: degrees over N2 corrected, positive closed.
 struct VaneControlData {
-  Schedule<2> schedule_deg;
+  Schedule schedule_deg;
   ActuatorData actuator;
 };
 
 /// Bleed valves: fraction of the LPC's exit flow.
 struct BleedValveControlData {
-  Schedule<2> low_speed;     ///< over N2 corrected
-  Schedule<2> deceleration;  ///< over ratio units as a multiple of the deceleration schedule
+  Schedule low_speed;     ///< over N2 corrected
+  Schedule deceleration;  ///< over ratio units as a multiple of the deceleration schedule
   ActuatorData actuator;
 };
 
@@ -65,6 +65,7 @@ struct ControlData {
   FuelControlData fuel;
   VaneControlData vanes;
   BleedValveControlData bleed_valves;
+  double middle_n1_corrected_rpm;  ///< inside the range at any flight condition: searches for a start begin there
 };
 
 }  // namespace ehm::engine_sim

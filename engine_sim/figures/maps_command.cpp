@@ -7,14 +7,15 @@
 
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
+#include "engine_sim/engines/shipped_engines.h"
+#include "engine_sim/figures/engine_figures.h"
 #include "engine_sim/figures/gnuplot.h"
-#include "engine_sim/figures/jt9d_figures.h"
 
 namespace ehm::engine_sim {
 namespace {
 
 struct Arguments {
-  std::string out, reference;
+  std::string out, reference, engine = "jt9d";
 };
 
 void make_folder(const std::string& folder) {
@@ -27,7 +28,7 @@ void make_folder(const std::string& folder) {
 void draw_maps(const Arguments& arguments, std::ostream& out) {
   std::optional<files::CsvTable> reference;
   if (!arguments.reference.empty()) reference = files::read_csv(arguments.reference);
-  const std::vector<Figure> figures = jt9d_figures(reference);
+  const std::vector<Figure> figures = engine_figures(named_engine(arguments.engine)->data, reference);
   make_folder(arguments.out);
   for (const Figure& figure : figures) {
     const std::string path = arguments.out + "/" + figure.name;
@@ -47,6 +48,9 @@ void add_maps_command(CLI::App& app, std::function<void(std::ostream&, std::ostr
   command->add_option("--out", arguments->out, "Folder for the pictures (SVG) and their numbers (CSV)")
       ->required()
       ->type_name("DIR");
+  command->add_option("--engine", arguments->engine, "Engine: a shipped one (" + shipped_engine_names() + ") or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
   command
       ->add_option("--reference", arguments->reference,
                    "Points of another model to draw, with NPSS's columns Fan_NcMap, Fan_WcMap, Fan_PRmap, Fan_effMap "

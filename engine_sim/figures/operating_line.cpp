@@ -8,7 +8,7 @@ namespace ehm::engine_sim {
 namespace {
 
 constexpr int steps = 120;
-constexpr FlightCondition cruise{10668.0, 0.8, 0.0};
+constexpr FlightCondition sea_level_static{0.0, 0.0, 15.0}, cruise{10668.0, 0.8, 0.0};
 
 std::vector<SteadyPoint> from_maximum_to_idle(const Turbofan& engine, const FlightCondition& flight) {
   const double tt2_k = intake(engine.data().inlet, flight).tt_k;
@@ -27,7 +27,7 @@ std::vector<SteadyPoint> from_maximum_to_idle(const Turbofan& engine, const Flig
 }  // namespace
 
 std::vector<OperatingLine> operating_lines(const Turbofan& engine) {
-  return {{"sea level static", from_maximum_to_idle(engine, engine.data().design.flight)},
+  return {{"sea level static", from_maximum_to_idle(engine, sea_level_static)},
           {"10668 m Mach 0.8", from_maximum_to_idle(engine, cruise)}};
 }
 

@@ -17,6 +17,7 @@ constexpr std::array refused{
     Refused{"control.", "whose controls stay at their trims, but for [[control_change]]"},
     Refused{"aircraft.", "which has no offtakes"},
     Refused{"sensors.", "whose sensors have the noise, resolution and update period that it states"},
+    Refused{"engine.model", "which is an engine of its own"},
     Refused{"engine.heat_soak", "whose states are what it lists"},
     Refused{"run.sample_time_s", "which has a sample_time_s of its own"},
     Refused{"replay.", "and a replay flies nothing"},

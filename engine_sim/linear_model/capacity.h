@@ -12,5 +12,6 @@ inline constexpr int max_auxiliary = 8;
 inline constexpr int max_actuators = 8;
 inline constexpr int max_states = 16;
 inline constexpr std::size_t max_name_length = 63, max_unit_length = 31;  ///< characters of a channel's name and unit
+inline constexpr std::size_t hash_length = 64;                            ///< characters of a SHA-256
 
 }  // namespace ehm::linear_model

@@ -55,6 +55,7 @@ struct LinearModel {
   Eigen::MatrixXd linearisation_error;
   std::optional<OperatingPoint> operating_point;
   std::string engine_type;  ///< empty where the file does not say
+  std::string engine_hash;  ///< SHA-256 of the engine that was linearised (engine_file.h); empty where it does not say
 };
 
 }  // namespace ehm::linear_model

@@ -176,6 +176,7 @@ void check_model(const LinearModel& model, const std::string& file, int sensor_c
   }
   check_matrices(model, file);
   check_length(model.engine_type, max_name_length, "engine_type", file);
+  check_length(model.engine_hash, hash_length, "engine_hash", file);
   check_positive(model.health_sigma, "health", "sigma", "Give the standard deviation over the fleet", file);
   check_health_sigma(model, file);
   if (!(model.sample_time_s >= 1e-4 && model.sample_time_s <= 10.0)) {

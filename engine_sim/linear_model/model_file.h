@@ -4,7 +4,7 @@
 //   {name, unit, trim} plus `sigma` for health and `noise_sigma` for sensors (trim of health may be left out: 0);
 //   process_noise n x n, per sample; A B L C D M F G N as nested arrays (F G N empty or absent without auxiliary
 //   outputs, B D G without controls). Optional: operating_point {altitude_m, mach, delta_isa_k}, engine_type,
-//   linearisation_error (m+r) x (m+r).
+//   engine_hash, linearisation_error (m+r) x (m+r).
 // Unknown keys are errors. Units and shapes: engine_sim/linear_model/linear_model.h.
 
 #include <string>

@@ -115,6 +115,7 @@ LinearModel model_from_json(const files::Json& json, const std::string& file, co
   model.discrete = read_time(object);
   model.sample_time_s = object.positive_number("sample_time_s");
   if (object.find("engine_type") != nullptr) model.engine_type = object.text("engine_type");
+  if (object.find("engine_hash") != nullptr) model.engine_hash = object.text("engine_hash");
   if (const files::Json* point = object.find("operating_point")) {
     files::JsonObject entry(*point, file, object.key("operating_point"));
     model.operating_point = {entry.number("altitude_m"), entry.number("mach"), entry.number("delta_isa_k")};
@@ -144,6 +145,7 @@ files::Json model_to_json(const LinearModel& model, const std::string& file) {
                    {"auxiliary", channels_to_json(model.auxiliary, nullptr, nullptr)},
                    {"process_noise", files::to_json(model.process_noise, file, "process_noise")}};
   if (!model.engine_type.empty()) json["engine_type"] = model.engine_type;
+  if (!model.engine_hash.empty()) json["engine_hash"] = model.engine_hash;
   if (model.operating_point) {
     json["operating_point"] = {{"altitude_m", model.operating_point->altitude_m},
                                {"mach", model.operating_point->mach},

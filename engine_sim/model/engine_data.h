@@ -89,6 +89,7 @@ struct DesignPoint {
   SpoolSpeeds speeds;
   double fuel_flow_kg_s;
   FlowUnknowns unknowns;
+  Offtake offtake{};
 };
 
 struct EngineData {

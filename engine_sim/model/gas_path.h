@@ -90,7 +90,8 @@ struct GasPathOf {
   S stall_margin_fan_percent = 0.0;  ///< constant corrected flow, surge and working PR from the unscaled map
   S stall_margin_lpc_percent = 0.0;
   S stall_margin_hpc_percent = 0.0;
-  std::array<S, 3> metal_dot_k_s{};  ///< heat soak (heat_soak.h); zero without it
+  std::array<S, 3> metal_k{};        ///< heat soak (heat_soak.h); without it that of the gas
+  std::array<S, 3> metal_dot_k_s{};  ///< zero without heat soak
 };
 using GasPath = GasPathOf<double>;
 

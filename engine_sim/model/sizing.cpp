@@ -28,26 +28,29 @@ TurbineData scaled(const TurbineDesign& t) {
 
 /// All that the design says outright; capacities and corrected speeds are still one.
 EngineData unsized(const EngineDesign& d) {
-  return {
-      .name = d.name,
-      .inlet = d.inlet,
-      .fan = scaled(d.fan),
-      .lpc = scaled(d.lpc),
-      .hpc = scaled(d.hpc),
-      .hpc_exit_area_m2 = 1.0,
-      .air = d.air,
-      .combustor = d.combustor,
-      .hpt = scaled(d.hpt),
-      .lpt = scaled(d.lpt),
-      .loss = d.loss,
-      .core_nozzle = {1.0, d.core_velocity_coefficient},
-      .bypass_nozzle = {1.0, d.bypass_velocity_coefficient},
-      .lp_inertia_kg_m2 = d.lp_inertia_kg_m2,
-      .hp_inertia_kg_m2 = d.hp_inertia_kg_m2,
-      .metal = d.metal,
-      .ratings = d.ratings,
-      .design = {
-          d.flight, d.speeds, 1.0, {{d.bypass_ratio, d.fan.map_r_line, d.lpc.map_r_line, d.hpc.map_r_line, 3.0, 4.0}}}};
+  return {.name = d.name,
+          .inlet = d.inlet,
+          .fan = scaled(d.fan),
+          .lpc = scaled(d.lpc),
+          .hpc = scaled(d.hpc),
+          .hpc_exit_area_m2 = 1.0,
+          .air = d.air,
+          .combustor = d.combustor,
+          .hpt = scaled(d.hpt),
+          .lpt = scaled(d.lpt),
+          .loss = d.loss,
+          .core_nozzle = {1.0, d.core_velocity_coefficient},
+          .bypass_nozzle = {1.0, d.bypass_velocity_coefficient},
+          .lp_inertia_kg_m2 = d.lp_inertia_kg_m2,
+          .hp_inertia_kg_m2 = d.hp_inertia_kg_m2,
+          .metal = d.metal,
+          .ratings = d.ratings,
+          .design = {
+              .flight = d.flight,
+              .speeds = d.speeds,
+              .fuel_flow_kg_s = 1.0,
+              .unknowns = {{d.bypass_ratio, d.fan.map_r_line, d.lpc.map_r_line, d.hpc.map_r_line, 3.0, 4.0}},
+          }};
 }
 
 class Sizing {
@@ -67,6 +70,7 @@ class Sizing {
     }
     if (change_ > 1e-9) throw SolveError("residual 'design point': the size of the engine does not settle");
     operation_.fuel_flow_kg_s = data_.design.fuel_flow_kg_s;
+    data_.design.offtake = operation_.offtake;
     return {data_, operation_};
   }
 

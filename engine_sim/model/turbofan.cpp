@@ -223,6 +223,7 @@ FlowDefect Turbofan::publish(const CycleInput<S>& input, const Cycle<S>& c, GasP
   g.s40 = to_station<T>(c.s40);
   g.s48 = to_station<T>(c.s48);
   g.s50 = to_station<T>(c.s50);
+  g.metal_k = {g.s30.tt_k, g.s48.tt_k, g.s50.tt_k};  // the duct behind the HPT keeps the temperature
   const auto exit = subsonic_state(to_station(c.s30), data_.hpc_exit_area_m2);
   if (!exit) return FlowDefect::hpc_exit;
   g.ps_30_pa = static_pressure(g.s30, *exit);

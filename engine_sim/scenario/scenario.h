@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "engine_sim/engines/jt9d_control.h"
+#include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/model/gas_path.h"
 #include "engine_sim/model/solve/steady.h"
 #include "engine_sim/sensors/sensor_suite.h"
@@ -56,7 +57,7 @@ struct ScheduledFault {
 struct Scenario {
   std::int64_t engine_id = 1;
   std::int64_t source_id = 1;
-  std::string engine_type = "jt9d";
+  std::shared_ptr<const EngineDefinition> engine = default_engine();
   double sample_time_s = 0.015;
   double duration_s = 0.0;  ///< 0: until stopped
   std::int64_t seed = 1;
@@ -69,12 +70,12 @@ struct Scenario {
   Demand demand{DemandKind::t40_k, 1308.6};
   std::vector<ProfilePoint> profile;  ///< empty: the start is held
 
-  std::vector<Wear> wear = std::vector<Wear>(health_count);  ///< by health parameter
+  std::vector<Wear> wear = std::vector<Wear>(health_count);  ///< by health parameter, in the order of gas_path.h
   std::vector<PlannedChange> health_changes;
   std::vector<PlannedChange> control_changes;  ///< of a linear model's controls
   std::vector<ScheduledFault> faults;
-  SensorSuiteOptions sensors;
-  ControlData control = jt9d_control();
+  SensorOverrides sensors;
+  ControlData control = engine->control;  ///< as the flight sets it
 };
 
 }  // namespace ehm::engine_sim

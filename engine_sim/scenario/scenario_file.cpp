@@ -18,6 +18,7 @@ using config::TableReader;
 namespace {
 
 constexpr double far_future_s = 1e9;
+constexpr double fastest_n1_rpm = 30'000;  // of any engine; the control holds the limit of this one
 
 template <class Names>
 std::vector<std::string> list_of(const Names& names) {
@@ -31,16 +32,24 @@ std::vector<std::string> list_of(const Names& names) {
   return list;
 }
 
+std::vector<std::string> sensor_names(const EngineDefinition& engine) {
+  std::vector<std::string> names;
+  for (const SensorChannel& sensor : engine.channels.sensors) names.emplace_back(sensor.quantity->name);
+  return names;
+}
+
 /// What the tables call the channels of the engine that flies.
 struct Names {
   std::vector<std::string> health, sensors, controls;
   std::vector<double> health_unit;  ///< one, in the parameter's unit
 };
 
-/// Reads the linear model, if one flies, at the first call.
+/// Reads the engine that flies, or the linear model, at the first call.
 Names names_of(SimConfig& c) {
-  if (c.linear_file.empty())
-    return {list_of(health_names), list_of(sensor_names), {}, std::vector<double>(health_count, 1.0)};
+  if (c.linear_file.empty()) {
+    c.engine_keys.take_engine(c.scenario);
+    return {list_of(health_names), sensor_names(*c.scenario.engine), {}, std::vector<double>(health_count, 1.0)};
+  }
   if (!c.linear) {
     c.linear = read_linear_model(c.linear_file);
     c.scenario.wear.clear();
@@ -66,7 +75,7 @@ void for_each_table(const std::string& file, const std::string& name, const toml
 }
 
 Demand profile_demand(TableReader& t) {
-  if (!t.has("net_thrust_n")) return {DemandKind::n1_rpm, t.real("n1_rpm", 500, 5000)};
+  if (!t.has("net_thrust_n")) return {DemandKind::n1_rpm, t.real("n1_rpm", 500, fastest_n1_rpm)};
   return {DemandKind::net_thrust_n, t.real("net_thrust_n", 0, 1e6)};
 }
 
@@ -149,40 +158,6 @@ void declare_faults(Schema& schema, SimConfig& c) {
                 });
 }
 
-void declare_sensors(Schema& schema, Scenario& s) {
-  auto& n = s.sensors;
-  schema.real("sensors.noise_speed_percent", n.noise_speed_percent, 0, 20, "percent", "noise of the speeds, of trim");
-  schema.real("sensors.noise_pressure_percent", n.noise_pressure_percent, 0, 20, "percent",
-              "noise of the pressures, of trim");
-  schema.real("sensors.noise_temperature_percent", n.noise_temperature_percent, 0, 20, "percent",
-              "noise of the temperatures, of trim");
-  schema.real("sensors.lag_speed_s", n.lag_speed_s, 0, 10, "s", "first-order lag of the speeds (AGTF30: 0.02)");
-  schema.real("sensors.lag_pressure_s", n.lag_pressure_s, 0, 10, "s",
-              "first-order lag of the pressures (AGTF30: 0.04)");
-  schema.real("sensors.lag_temperature_s", n.lag_temperature_s, 0, 10, "s",
-              "first-order lag of the temperatures (AGTF30: 0.7)");
-  schema.real("sensors.quantisation_percent", n.quantisation_percent, 0, 5, "percent",
-              "smallest step of a reading, of trim");
-}
-
-void declare_control(Schema& schema, Scenario& s) {
-  EngineLimits& limit = s.control.limits;
-  schema.flag("control.hold_limits", s.control.hold_limits,
-              "whether the control holds the limits below; its acceleration and deceleration schedules always act");
-  schema.real("control.n1_max_rpm", limit.n1_rpm, 500, 6000, "rpm", "fan speed limit");
-  schema.real("control.n1_corrected_max_rpm", limit.n1_corrected_rpm, 500, 6000, "rpm", "limit of N1/sqrt(theta2)");
-  schema.real("control.n2_max_rpm", limit.n2_rpm, 3000, 12000, "rpm", "core speed limit");
-  schema.real("control.n2_corrected_max_rpm", limit.n2_corrected_rpm, 3000, 12000, "rpm", "limit of N2/sqrt(theta2)");
-  schema.real("control.t48_max_k", limit.t48_k, 500, 2000, "K", "limit of the gas temperature behind the HPT");
-  schema.real("control.ps30_max_pa", limit.ps_30_pa, 1e5, 1e7, "Pa", "limit of the static pressure behind the HPC");
-  schema.real("control.ground_idle_n2_corrected_rpm", limit.ground_idle_n2_corrected_rpm, 3000, 12000, "rpm",
-              "least core speed N2/sqrt(theta2) up to Mach 0.25 and 3000 m");
-  schema.real("control.flight_idle_n2_corrected_rpm", limit.flight_idle_n2_corrected_rpm, 3000, 12000, "rpm",
-              "least core speed N2/sqrt(theta2) elsewhere");
-  schema.real("control.speed_bandwidth_rad_s", s.control.fuel.speed_bandwidth_rad_s, 0.1, 10, "rad/s",
-              "how fast the speed loops close: a small error falls to 1/e in its inverse");
-}
-
 void declare_replay(Schema& schema, ReplayOptions& r) {
   schema.text("replay.file", r.file,
               "a monitor's recording or a CSV file to publish instead of a flight, with its engines and sequences");
@@ -229,8 +204,7 @@ void declare(Schema& schema, SimConfig& c) {
                 "what demand.value is, for the new engine");
   schema.real("demand.value", s.demand.value, 0, 1e6, "by kind",
               "demand at the start; the control holds the fan speed that it gives");
-  declare_sensors(schema, s);
-  declare_control(schema, s);
+  c.engine_keys.declare(schema, s);
   schema.integer("dds.domain", c.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", c.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", c.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
@@ -289,7 +263,10 @@ double SimConfig::rate_factor() const {
 void finish_config(SimConfig& c, const Schema& schema) {
   c.rate_factor();
   const Names names = names_of(c);
-  if (c.linear) check_linear(schema.given(), c.scenario);
+  if (c.linear)
+    check_linear(schema.given(), c.scenario);
+  else
+    c.engine_keys.finish(schema.given(), c.scenario);
   if (c.replay.file.empty() && !c.replay.column_map.empty())
     throw ConfigError("'replay.column_map' is for 'replay.file', which is not set");
   if (c.security_required && c.security.empty())

@@ -1,7 +1,7 @@
 #pragma once
 // The scenario file (TOML) and everything else that configures engine_sim, through the one schema.
 //
-//   [engine] id, source_id, heat_soak           [aircraft] customer_bleed_kg_s, power_w
+//   [engine] id, source_id, model, heat_soak    [aircraft] customer_bleed_kg_s, power_w
 //   [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
 //   [linear] model                              [replay] file, column_map, stamps
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
@@ -20,6 +20,7 @@
 
 #include "deploy/runtime/config/schema.h"
 #include "engine_sim/linear_model/linear_model.h"
+#include "engine_sim/scenario/engine_keys.h"
 #include "engine_sim/scenario/scenario.h"
 
 namespace ehm::engine_sim {
@@ -33,6 +34,7 @@ struct ReplayOptions {
 
 struct SimConfig {
   Scenario scenario;
+  EngineKeys engine_keys;
   ReplayOptions replay;
   std::string linear_file;  ///< file of a model to fly; empty: the turbofan flies
   /// What that file holds, once a table or finish_config has asked for it; null: the turbofan flies.

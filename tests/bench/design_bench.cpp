@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "engine_sim/engines/jt9d.h"
+#include "engine_sim/engines/jt9d_engine.h"
 #include "tuner_design/design/choose_tuners.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/linearise/linearise.h"
@@ -28,7 +28,7 @@ struct Cruise {
     options.flight = {10668.0, 0.8, 0.0};
     options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
     options.fleet = 0;
-    model = linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model;
+    model = linearise(engine_sim::default_engine(), options).model;
     const PreparedPoint prepared = prepare(model);
     point = make_point_problem(prepared.model, prepared.steady, all_sensors(model), {});
     V = row_space(point.H * point.health_covariance);

@@ -17,7 +17,7 @@
 #include <chrono>
 #include <limits>
 
-#include "engine_sim/engines/jt9d.h"
+#include "engine_sim/engines/jt9d_engine.h"
 #include "monitor/design/make_filter.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/linearise/linearise.h"
@@ -36,7 +36,7 @@ const design::Design& cruise_design() {
     options.flight = {10668.0, 0.8, 0.0};
     options.demand = {engine_sim::DemandKind::t40_k, 1308.6};
     options.fleet = 0;
-    return design_tuner(linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model, {});
+    return design_tuner(linearise(engine_sim::default_engine(), options).model, {});
   }();
   return design;
 }

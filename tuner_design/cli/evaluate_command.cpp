@@ -5,6 +5,7 @@
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "monitor/design/design_file.h"
+#include "tuner_design/cli/engine_option.h"
 #include "tuner_design/print/evaluation_report.h"
 
 namespace ehm::tuner_design {
@@ -15,6 +16,7 @@ constexpr std::size_t progress_steps = 1000;
 struct Arguments {
   std::string design, csv, truth = "linear", estimator = "both", hold = "fan-speed";
   EvaluateOptions options;
+  EngineOption engine;
   OutputOptions output;
 };
 
@@ -36,6 +38,7 @@ void evaluate_file(Arguments arguments, const Console& console) {
   options.hold = arguments.hold == "fuel-flow" ? Hold::fuel_flow : Hold::fan_speed;
   options.kalman = arguments.estimator != "map";
   options.map = arguments.estimator != "kalman";
+  options.engine = arguments.engine.engine();
   const design::Design design = design::read_design(arguments.design);
   const Evaluation evaluation = evaluated(design, arguments, console);
   if (!arguments.csv.empty()) {
@@ -59,6 +62,7 @@ void add_evaluate_command(CLI::App& app, Action& run) {
                    "What flies: the design's linear model, the nonlinear engine at its operating point, or both")
       ->check(CLI::IsMember({"linear", "nonlinear", "both"}))
       ->capture_default_str();
+  add_engine_option(*command, arguments->engine, "Of the nonlinear truth; the design must be for it");
   command->add_option("--estimator", arguments->estimator, "The monitor's Kalman filter, MAP on one snapshot, or both")
       ->check(CLI::IsMember({"kalman", "map", "both"}))
       ->capture_default_str();

@@ -6,8 +6,8 @@
 #include <optional>
 #include <ostream>
 
-#include "engine_sim/engines/jt9d.h"
 #include "engine_sim/linear_model/model_file.h"
+#include "tuner_design/cli/engine_option.h"
 #include "tuner_design/linearise/linearise.h"
 
 namespace ehm::tuner_design {
@@ -19,7 +19,8 @@ struct Arguments {
   std::optional<double> n1_rpm, net_thrust_n, t40_k, fuel_flow_kg_s;
   std::vector<std::string> health;
   bool step_study = false, heat_soak = false;
-  SensorLags lags;
+  engine_sim::SensorOverrides sensors;
+  EngineOption engine;
   std::string method = "perturbation";
   int fleet = LineariseOptions{}.fleet;
   std::uint64_t seed = LineariseOptions{}.seed;
@@ -80,14 +81,13 @@ void linearise_to_file(const Arguments& arguments, const Console& console) {
   options.fleet = arguments.fleet;
   options.seed = arguments.seed;
   options.heat_soak = arguments.heat_soak;
-  options.lags = arguments.lags;
+  options.sensors = arguments.sensors;
   for (const std::string& text : arguments.health) {
     double value = 0.0;
     const std::size_t index = parse_health(text, value);
     options.health[index] = value;
   }
-  const engine_sim::Turbofan turbofan(engine_sim::jt9d());
-  const Linearisation result = linearise(turbofan, options);
+  const Linearisation result = linearise(arguments.engine.engine(), options);
   linear_model::write_model(result.model, arguments.out);
   print_result(
       console, arguments.output, [&] { return as_json(result, arguments); },
@@ -100,6 +100,7 @@ void add_linearise_command(CLI::App& app, Action& run) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("linearise", "Linear model of the nonlinear engine at one operating point");
   command->add_option("--out", arguments->out, "Linear model file to write")->required()->type_name("M.json");
+  add_engine_option(*command, arguments->engine, "Engine to linearise");
   command->add_option("--altitude-m", arguments->flight.altitude_m, "Pressure altitude, m")->capture_default_str();
   command->add_option("--mach", arguments->flight.mach, "Flight Mach number")->capture_default_str();
   command->add_option("--delta-isa-k", arguments->flight.delta_isa_k, "Temperature above standard, K")
@@ -127,14 +128,16 @@ void add_linearise_command(CLI::App& app, Action& run) {
       ->capture_default_str();
   add_seed_option(*command, arguments->seed, "Of that fleet");
   command->add_flag("--heat-soak", arguments->heat_soak, "Metal temperatures behind HPC, HPT and LPT as states");
-  const auto lag = [&](const char* name, double& tau_s, const char* kind) {
-    command->add_option(name, tau_s, std::string("Time constant of the ") + kind + " sensors as states, s; 0: none")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
+  const auto lag = [&](const char* name, std::optional<double>& tau_s, const char* kind) {
+    command
+        ->add_option(name, tau_s,
+                     std::string("Time constant of the ") + kind +
+                         " sensors as states, s; 0: none; default: what the engine file says (jt9d: none)")
+        ->check(CLI::Range(0.0, 100.0));
   };
-  lag("--lag-speed-s", arguments->lags.speed_s, "speed");
-  lag("--lag-pressure-s", arguments->lags.pressure_s, "pressure");
-  lag("--lag-temperature-s", arguments->lags.temperature_s, "temperature");
+  lag("--lag-speed-s", arguments->sensors.lag_speed_s, "speed");
+  lag("--lag-pressure-s", arguments->sensors.lag_pressure_s, "pressure");
+  lag("--lag-temperature-s", arguments->sensors.lag_temperature_s, "temperature");
   command->add_flag("--step-study", arguments->step_study, "Print how the derivatives depend on the step");
   add_output_options(*command, arguments->output);
   command->callback(

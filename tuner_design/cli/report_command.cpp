@@ -8,6 +8,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "monitor/design/design_file.h"
+#include "tuner_design/cli/engine_option.h"
 #include "tuner_design/print/design_report.h"
 #include "tuner_design/report/design_page.h"
 
@@ -18,6 +19,7 @@ struct ReportArguments {
   std::string design, out, csv_folder;
   bool quick = false;
   unsigned threads = long_work::all_cores();
+  EngineOption engine;
   OutputOptions output;
 };
 
@@ -42,10 +44,12 @@ nlohmann::ordered_json page_as_json(const report::Page& page, const design::Desi
 report::Studies studies_of(const design::Design& design, const ReportArguments& arguments, const Console& console) {
   constexpr std::size_t steps = 1000;
   long_work::ProgressBar bar = progress_bar(console, arguments.output, steps);
-  return report::run_studies(design,
-                             {.quick = arguments.quick, .threads = arguments.threads, .progress = [&](double share) {
-                                bar.show(static_cast<std::size_t>(share * static_cast<double>(steps)));
-                              }});
+  return report::run_studies(design, {.quick = arguments.quick,
+                                      .engine = arguments.engine.engine(),
+                                      .threads = arguments.threads,
+                                      .progress = [&](double share) {
+                                        bar.show(static_cast<std::size_t>(share * static_cast<double>(steps)));
+                                      }});
 }
 
 void write_report(const ReportArguments& arguments, const Console& console) {
@@ -76,6 +80,8 @@ void add_report_command(CLI::App& app, Action& run) {
       ->type_name("DIR");
   command->add_flag("--quick", arguments->quick,
                     "Leave out the Monte Carlo and the papers' tables, which take some seconds");
+  add_engine_option(*command, arguments->engine,
+                    "Engine of the Monte Carlo; if the design is for another one, it is left out");
   command->add_option("--threads", arguments->threads, "The result does not depend on it; default: one a core")
       ->check(CLI::Range(1, 1024));
   add_output_options(*command, arguments->output);

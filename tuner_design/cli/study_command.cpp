@@ -6,8 +6,8 @@
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
-#include "engine_sim/engines/jt9d.h"
 #include "tuner_design/cli/design_command.h"
+#include "tuner_design/cli/engine_option.h"
 #include "tuner_design/cli/fault_study_command.h"
 #include "tuner_design/cli/import_options.h"
 #include "tuner_design/linearise/linearise.h"
@@ -25,18 +25,19 @@ struct Arguments {
   ImportOptions import;
   SimonGargOptions options;
   FaultStudyArguments faults;
+  EngineOption engine;
   OutputOptions output;
 };
 
 /// The paper's operating point on our engine: cruise, tangent at the new engine, or as the paper has it at the average
 /// of a fleet that is half worn.
-linear_model::LinearModel cruise(bool half_worn) {
+linear_model::LinearModel cruise(const EngineOption& engine, bool half_worn) {
   LineariseOptions options;
   options.flight = {10668.0, 0.8, 0.0};
   options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
   options.fleet = 0;
   if (half_worn) options.health = half_worn_health;
-  linear_model::LinearModel model = linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model;
+  linear_model::LinearModel model = linearise(engine.engine(), options).model;
   model.name += half_worn ? ", linearised at a half-worn engine (3000 cycles), as the paper's is"
                           : ", linearised at the new engine (the paper's: half worn)";
   return model;
@@ -45,6 +46,7 @@ linear_model::LinearModel cruise(bool half_worn) {
 void run_study(Arguments arguments, const Console& console) {
   arguments.faults.options.seed = arguments.options.seed;
   arguments.faults.options.threads = arguments.options.threads;
+  arguments.faults.options.engine = arguments.engine.engine();
   const bool of_the_paper = arguments.study.starts_with("simon-garg");
   if (!of_the_paper && arguments.trim != "new")
     throw CLI::ValidationError(
@@ -54,8 +56,9 @@ void run_study(Arguments arguments, const Console& console) {
   if (arguments.study == "false-alarms")
     return false_alarm_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
   arguments.options.table = arguments.study.back() - '0';
-  const ImportedModel imported = arguments.model.empty() ? ImportedModel{cruise(arguments.trim == "half-worn"), "", {}}
-                                                         : import_model(arguments.model, arguments.import);
+  const ImportedModel imported = arguments.model.empty()
+                                     ? ImportedModel{cruise(arguments.engine, arguments.trim == "half-worn"), "", {}}
+                                     : import_model(arguments.model, arguments.import);
   SimonGargStudy study;
   try {
     long_work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
@@ -104,6 +107,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->check(CLI::IsMember({"new", "half-worn"}))
       ->capture_default_str()
       ->excludes(model);
+  add_engine_option(*command, arguments->engine, "Engine of simon-garg without --model, and of faults");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))

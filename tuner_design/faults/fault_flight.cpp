@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "engine_sim/simulation.h"
 #include "idl/wire_values.h"
 #include "monitor/cycle/monitor_cycle.h"
+#include "tuner_design/linearise/engine_match.h"
 #include "tuner_design/monte_carlo/random_stream.h"
 
 namespace ehm::tuner_design {
@@ -27,12 +29,6 @@ void require_channels(const std::vector<linear_model::Channel>& channels, const 
                                 " than the engine, whose are " + names);
 }
 
-std::vector<std::string_view> sensor_names() {
-  std::vector<std::string_view> names;
-  for (const auto& sensor : engine_sim::sensor_names) names.push_back(sensor.name);
-  return names;
-}
-
 double fan_speed_trim(const linear_model::LinearModel& model) {
   for (const auto& state : model.states)
     if (state.name == "Nf" && state.unit == "rpm") return state.trim;
@@ -44,15 +40,17 @@ double settled_after_s(const design::Design& design) {
 }
 
 /// The flight of one engine of the fleet; what breaks is still to be added.
-engine_sim::Scenario scenario_of(const design::Design& design, RandomStream& random) {
+engine_sim::Scenario scenario_of(const StudyEngine& study, RandomStream& random) {
   engine_sim::Scenario scenario;
-  const auto& model = design.model;
+  scenario.engine = study.engine;
+  scenario.control = study.engine->control;
+  const auto& model = study.prepared.design->model;
   scenario.sample_time_s = model.sample_time_s;
   scenario.flight = {model.operating_point->altitude_m, model.operating_point->mach,
                      model.operating_point->delta_isa_k};
   scenario.demand = {engine_sim::DemandKind::n1_rpm, fan_speed_trim(model)};
-  for (std::size_t i = 0; i < engine_sim::health_count; ++i)
-    scenario.wear[i].initial =
+  for (std::size_t i = 0; i < model.health.size(); ++i)
+    scenario.wear[study.engine->channels.health[i].parameter].initial =
         model.health[i].trim + model.health_sigma(static_cast<Eigen::Index>(i)) * random.normal();
   scenario.seed = static_cast<std::int64_t>(random.bits() >> 12);
   return scenario;
@@ -82,19 +80,19 @@ engine_sim::ScheduledFault sensor_fault(const FaultCase& what, double sigma, dou
   return {what.channel, fault};
 }
 
-void convert(const engine_sim::SimSample& from, monitor::Sample& to) {
+void convert(const engine_sim::EngineSample& from, double time_s, monitor::Sample& to) {
   to.schema = idl::schema_version;
   to.source_id = 1;
   to.sequence = from.sequence;
-  to.source_time_ns = std::llround(1e9 * from.time_s);
+  to.source_time_ns = std::llround(1e9 * time_s);
   to.flight = {from.flight.altitude_m, from.flight.mach, from.flight.delta_isa_k};
-  to.sensor_count = engine_sim::sensor_count;
-  to.actuator_count = 3;
-  to.actuator = {from.actuation.fuel_flow_kg_s, from.geometry.vsv_deg, from.geometry.vbv_fraction};
+  to.sensor_count = static_cast<std::uint32_t>(from.sensors.size());
+  to.actuator_count = static_cast<std::uint32_t>(from.actuators.size());
+  std::copy(from.actuators.begin(), from.actuators.end(), to.actuator.begin());
   to.sensor_valid = 0;
-  for (std::size_t i = 0; i < engine_sim::sensor_count; ++i) {
-    to.sensor[i] = from.readings[i].value;
-    to.sensor_valid |= static_cast<std::uint32_t>(from.readings[i].valid) << i;
+  for (std::size_t i = 0; i < from.sensors.size(); ++i) {
+    to.sensor[i] = from.sensors[i].value;
+    to.sensor_valid |= static_cast<std::uint32_t>(from.sensors[i].valid) << i;
   }
 }
 
@@ -141,7 +139,8 @@ FaultOutcome fly(const monitor::PreparedDesign& study, const engine_sim::Scenari
     monitor::Sample sample;
     estimation::HealthVector before;
     for (int set = -1; flight->time_s() < end_s;) {
-      convert(flight->next(), sample);
+      const double now_s = flight->time_s();
+      convert(flight->next_sample(), now_s, sample);
       cycle.process(sample);
       const double since_onset_s = 1e-9 * static_cast<double>(sample.source_time_ns) - onset_s;
       if (const int now = cycle.watch().filter().sensor_set().missing(); now != set) {
@@ -164,36 +163,38 @@ FaultOutcome fly(const monitor::PreparedDesign& study, const engine_sim::Scenari
 
 }  // namespace
 
-monitor::PreparedDesign study_engine(const design::Design& design) {
-  if (design.model.engine_type != "jt9d" || !design.model.operating_point)
-    throw std::invalid_argument("study faults: the design is for the engine type '" + design.model.engine_type +
-                                "'; allowed: jt9d at an operating point, as tuner_design linearise writes it");
-  require_channels(design.model.sensors, sensor_names(), "sensors");
-  require_channels(design.model.health, engine_sim::health_names, "health parameters");
-  require_channels(design.model.controls, std::vector<std::string_view>{"fuel_flow", "VSV", "VBV"}, "controls");
+StudyEngine study_engine(const design::Design& design, std::shared_ptr<const engine_sim::EngineDefinition> engine) {
+  require_engine(design.model, *engine, "study faults");
+  std::vector<std::string_view> sensors, health, controls;
+  for (const auto& sensor : engine->channels.sensors) sensors.push_back(sensor.quantity->name);
+  for (const auto& channel : engine->channels.health) health.push_back(engine_sim::health_names[channel.parameter]);
+  for (const auto* control : engine->channels.controls) controls.push_back(control->name);
+  require_channels(design.model.sensors, sensors, "sensors");
+  require_channels(design.model.health, health, "health parameters");
+  require_channels(design.model.controls, controls, "controls");
   fan_speed_trim(design.model);
-  return monitor::PreparedDesign(std::make_shared<const design::Design>(design));
+  return {monitor::PreparedDesign(std::make_shared<const design::Design>(design)), std::move(engine)};
 }
 
-FaultOutcome fly_case(const monitor::PreparedDesign& study, const FaultCase& what, std::uint64_t seed,
-                      std::uint64_t index) {
+FaultOutcome fly_case(const StudyEngine& study, const FaultCase& what, std::uint64_t seed, std::uint64_t index) {
   RandomStream random(seed, index);
-  engine_sim::Scenario scenario = scenario_of(*study.design, random);
-  const double onset_s = settled_after_s(*study.design) + random.uniform();
+  engine_sim::Scenario scenario = scenario_of(study, random);
+  const double onset_s = settled_after_s(*study.prepared.design) + random.uniform();
   const auto channel = static_cast<Eigen::Index>(what.channel);
   if (what.row->broken == Broken::component)
-    scenario.health_changes.push_back({onset_s, what.channel, what.row->size, 0.0});
+    scenario.health_changes.push_back(
+        {onset_s, study.engine->channels.health[what.channel].parameter, what.row->size, 0.0});
   else if (what.row->broken != Broken::nothing)
-    scenario.faults.push_back(sensor_fault(what, study.design->model.sensor_noise_sigma(channel), onset_s, random));
-  return fly(study, scenario, onset_s, onset_s + what.row->watched_s, what.row->broken != Broken::nothing);
+    scenario.faults.push_back(
+        sensor_fault(what, study.prepared.design->model.sensor_noise_sigma(channel), onset_s, random));
+  return fly(study.prepared, scenario, onset_s, onset_s + what.row->watched_s, what.row->broken != Broken::nothing);
 }
 
-FaultOutcome fly_healthy(const monitor::PreparedDesign& study, double seconds, std::uint64_t seed,
-                         std::uint64_t index) {
+FaultOutcome fly_healthy(const StudyEngine& study, double seconds, std::uint64_t seed, std::uint64_t index) {
   RandomStream random(seed, index);
-  const engine_sim::Scenario scenario = scenario_of(*study.design, random);
-  const double onset_s = settled_after_s(*study.design);
-  return fly(study, scenario, onset_s, onset_s + seconds, false);
+  const engine_sim::Scenario scenario = scenario_of(study, random);
+  const double onset_s = settled_after_s(*study.prepared.design);
+  return fly(study.prepared, scenario, onset_s, onset_s + seconds, false);
 }
 
 }  // namespace ehm::tuner_design

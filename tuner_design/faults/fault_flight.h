@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine_sim/engines/engine_definition.h"
 #include "monitor/cycle/prepared_design.h"
 #include "tuner_design/faults/fault_case.h"
 
@@ -26,15 +27,20 @@ struct FaultOutcome {
   int false_alarms = 0;              ///< before the onset, or with nothing broken
 };
 
-/// @throws std::invalid_argument if the nonlinear engine has other sensors or controls than the design (names them).
-monitor::PreparedDesign study_engine(const design::Design& design);
+/// What flies, and before which design.
+struct StudyEngine {
+  monitor::PreparedDesign prepared;
+  std::shared_ptr<const engine_sim::EngineDefinition> engine;
+};
+
+/// @throws std::invalid_argument if the design is for another engine (engine_match.h), or has other sensors, controls or
+///         health parameters than it (names them).
+StudyEngine study_engine(const design::Design& design, std::shared_ptr<const engine_sim::EngineDefinition> engine);
 
 /// The same seed and index give the same flight. Callable by several threads at once.
-FaultOutcome fly_case(const monitor::PreparedDesign& engine, const FaultCase& what, std::uint64_t seed,
-                      std::uint64_t index);
+FaultOutcome fly_case(const StudyEngine& study, const FaultCase& what, std::uint64_t seed, std::uint64_t index);
 
 /// A flight of `seconds` with nothing broken; false alarms are counted after convergence.
-FaultOutcome fly_healthy(const monitor::PreparedDesign& engine, double seconds, std::uint64_t seed,
-                         std::uint64_t index);
+FaultOutcome fly_healthy(const StudyEngine& study, double seconds, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace ehm::tuner_design

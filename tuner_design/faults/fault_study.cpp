@@ -85,7 +85,7 @@ void sum_up(FaultStudy& study) {
 
 FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions& options,
                            const std::function<void(double share)>& progress) {
-  const monitor::PreparedDesign engine = study_engine(design);
+  const StudyEngine engine = study_engine(design, options.engine);
   const std::vector<FaultCase> round = round_of_cases(design.model.sensors.size(), design.model.health.size());
   FaultStudy study;
   for (const auto& sensor : design.model.sensors) study.sensors.push_back(sensor.name);

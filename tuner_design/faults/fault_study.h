@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "engine_sim/engines/jt9d_engine.h"
 #include "tuner_design/faults/fault_flight.h"
 
 namespace ehm::tuner_design {
@@ -16,6 +17,7 @@ struct FaultStudyOptions {
   double hours = 32.0;  ///< with nothing broken; of one in twenty engines the monitor withholds estimates
   std::uint64_t seed = 1;
   unsigned threads = 1;
+  std::shared_ptr<const engine_sim::EngineDefinition> engine = engine_sim::default_engine();
 };
 
 /// What became of the cases of one row of the table.
@@ -46,7 +48,7 @@ struct FaultStudy {
 
 inline constexpr double abrupt_limit_s = 3.0;
 
-/// @throws std::invalid_argument if the design is not for the nonlinear engine.
+/// @throws std::invalid_argument if the design is not for `options.engine`.
 FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions& options,
                            const std::function<void(double share)>& progress);
 

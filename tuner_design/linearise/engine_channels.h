@@ -1,32 +1,41 @@
 #pragma once
-// The nonlinear engine as a function f(v) of a point of operation, and the order and names of its channels:
-//   v = [N1 N2 (Tm_hpc Tm_hpt Tm_lpt) | Wf VSV VBV | ten health fractions]     rpm, K, kg/s, deg, fraction
-//   f = [rates of the states | sensors | auxiliary]     rpm/s, K/s; Nf Nc P24 T24 Ps30 T30 T48; T40 T50 Fn SmLPC
+// The nonlinear engine as a function f(v) of a point of operation, with the channels that its engine file names:
+//   v = [N1 N2 (Tm_hpc Tm_hpt Tm_lpt) | controls | health]     rpm, K, units of channel_table.h, fraction
+//   f = [rates of the states | sensors | auxiliary]            rpm/s, K/s, units of channel_table.h
 // evaluated on the quasi-steady gas path: flow balances closed, spools free to accelerate. The metal temperatures are
-// states only where the layout has heat soak (heat_soak.h). VSV is the angle off the schedule, positive closes.
+// states only where the layout has heat soak (heat_soak.h).
 
 #include <Eigen/Core>
+#include <memory>
+#include <vector>
 
+#include "engine_sim/engines/engine_definition.h"
 #include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/model/solve/steady.h"
 #include "engine_sim/model/turbofan.h"
 
 namespace ehm::tuner_design {
 
-inline constexpr Eigen::Index engine_controls = 3, engine_health = engine_sim::health_count, engine_sensors = 7,
-                              engine_auxiliary = 4;
-
-/// Sizes and offsets in v and f.
+/// Whose v and f; sizes and offsets in them.
 struct EngineLayout {
+  std::shared_ptr<const engine_sim::EngineDefinition> engine;
   bool heat_soak = false;
 
+  const engine_sim::NamedChannels& channels() const { return engine->channels; }
   Eigen::Index states() const { return 2 + (heat_soak ? static_cast<Eigen::Index>(engine_sim::metal_count) : 0); }
-  Eigen::Index fuel() const { return states(); }                      ///< in v; behind it VSV, VBV
-  Eigen::Index health() const { return states() + engine_controls; }  ///< in v
-  Eigen::Index inputs() const { return health() + engine_health; }
+  Eigen::Index control_count() const { return static_cast<Eigen::Index>(channels().controls.size()); }
+  Eigen::Index health_count() const { return static_cast<Eigen::Index>(channels().health.size()); }
+  Eigen::Index sensor_count() const { return static_cast<Eigen::Index>(channels().sensors.size()); }
+  Eigen::Index auxiliary_count() const { return static_cast<Eigen::Index>(channels().auxiliary.size()); }
+  Eigen::Index controls() const { return states(); }                  ///< in v
+  Eigen::Index health() const { return states() + control_count(); }  ///< in v
+  Eigen::Index inputs() const { return health() + health_count(); }
   Eigen::Index sensors() const { return states(); }  ///< in f
-  Eigen::Index auxiliary() const { return sensors() + engine_sensors; }
-  Eigen::Index outputs() const { return auxiliary() + engine_auxiliary; }
+  Eigen::Index auxiliary() const { return sensors() + sensor_count(); }
+  Eigen::Index outputs() const { return auxiliary() + auxiliary_count(); }
+
+  /// Positions in v of what the balance of the states settles at a held fan speed: all states but N1, and the fuel flow.
+  std::vector<Eigen::Index> settled_inputs() const;
 };
 
 /// v of a steady point: metal and gas have one temperature.
@@ -38,9 +47,11 @@ Eigen::VectorXd outputs_of(const EngineLayout& layout, const engine_sim::GasPath
 Eigen::VectorXd evaluate(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
                          const engine_sim::SteadyPoint& near, const Eigen::VectorXd& v);
 
-/// The size of each input for relative steps and disturbances: trim of speeds, temperatures and fuel flow, 10 degrees,
-/// a tenth of the flow, 1 for a health fraction.
+/// The size of each input for relative steps and disturbances: trim of speeds and temperatures, what channel_table.h
+/// says of controls (of the fuel flow its trim), 1 for a health fraction.
 Eigen::VectorXd input_size(const EngineLayout& layout, const Eigen::VectorXd& v);
+/// The least value that the gas path accepts of each input: bleed valves, say, only open.
+Eigen::VectorXd lowest_inputs(const EngineLayout& layout);
 
 /// Fills the channel lists of a model with trims `v` and `f`.
 void name_channels(const EngineLayout& layout, linear_model::LinearModel& model, const Eigen::VectorXd& v,

@@ -12,17 +12,18 @@ namespace {
 
 constexpr double disturbance = 0.003;  ///< of size: far above round-off, small against the fleet's spread
 
-/// Derivatives by states and controls, averaged over the fleet: central differences, one-sided for the bleed valves,
-/// which only open.
+/// Derivatives by states and controls, averaged over the fleet: central differences, one-sided where an input cannot be
+/// less: bleed valves only open.
 Eigen::MatrixXd mean_slopes(const engine_sim::Turbofan& turbofan, const engine_sim::SteadyPoint& trim,
                             const Fleet& fleet, const Eigen::VectorXd& size) {
   const EngineLayout& layout = fleet.layout;
+  const Eigen::VectorXd lowest = lowest_inputs(layout);
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(layout.outputs(), layout.health());
   for (Eigen::Index k = 0; k < fleet.inputs.cols(); ++k) {
     for (Eigen::Index j = 0; j < slopes.cols(); ++j) {
       Eigen::VectorXd up = fleet.inputs.col(k), down = up;
       up(j) += disturbance * size(j);
-      if (j != layout.fuel() + 2) down(j) -= disturbance * size(j);
+      if (down(j) - disturbance * size(j) >= lowest(j)) down(j) -= disturbance * size(j);
       slopes.col(j) +=
           (evaluate(layout, turbofan, trim, up) - evaluate(layout, turbofan, trim, down)) / (up(j) - down(j));
     }
@@ -33,13 +34,13 @@ Eigen::MatrixXd mean_slopes(const engine_sim::Turbofan& turbofan, const engine_s
 }  // namespace
 
 Fleet steady_fleet(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
-                   const engine_sim::SteadyPoint& trim, double health_sigma, int engines, std::uint64_t seed) {
+                   const engine_sim::SteadyPoint& trim, int engines, std::uint64_t seed) {
   engine_sim::NoiseSource random(seed);
   Fleet fleet{layout, Eigen::MatrixXd(layout.inputs(), engines), Eigen::MatrixXd(layout.outputs(), engines)};
   Eigen::Index solved = 0;
   for (int k = 0; k < engines; ++k) {
     engine_sim::HealthVector worn = trim.operation.health;
-    for (double& h : worn) h += health_sigma * random.normal();
+    for (const auto& health : layout.channels().health) worn[health.parameter] += health.sigma * random.normal();
     try {
       const engine_sim::SteadyPoint point = engine_sim::solve_steady(
           turbofan, trim.operation.flight, worn, {engine_sim::DemandKind::n1_rpm, trim.gas.speeds.n1_rpm}, &trim);
@@ -62,42 +63,45 @@ FleetFit fit_fleet(const engine_sim::Turbofan& turbofan, const engine_sim::Stead
   const EngineLayout& layout = fleet.layout;
   const Eigen::VectorXd v0 = inputs_of(layout, trim), f0 = outputs_of(layout, trim.gas);
   const Eigen::MatrixXd slopes = mean_slopes(turbofan, trim, fleet, input_size(layout, v0));
-  const Eigen::Index engines = fleet.inputs.cols(), moved = slopes.cols();
-  Eigen::MatrixXd regressors(engines, 1 + engine_health), left(engines, layout.outputs());
+  const Eigen::Index engines = fleet.inputs.cols(), moved = slopes.cols(), healths = layout.health_count();
+  Eigen::MatrixXd regressors(engines, 1 + healths), left(engines, layout.outputs());
   for (Eigen::Index k = 0; k < engines; ++k) {
     const Eigen::VectorXd dv = fleet.inputs.col(k) - v0;
-    regressors.row(k) << 1.0, dv.tail(engine_health).transpose();
+    regressors.row(k) << 1.0, dv.tail(healths).transpose();
     left.row(k) = (fleet.outputs.col(k) - f0 - slopes * dv.head(moved)).transpose();
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(regressors);
   if (qr.rank() < regressors.cols())
     throw std::runtime_error("linearise: " + std::to_string(engines) + " engines do not tell the " +
-                             std::to_string(engine_health) + " health parameters apart; take a larger fleet (--fleet)");
+                             std::to_string(healths) + " health parameters apart; take a larger fleet (--fleet)");
   const Eigen::MatrixXd solution = qr.solve(left).transpose();  // [intercept | health columns]
 
   FleetFit fit;
   fit.jacobian.resize(layout.outputs(), layout.inputs());
-  fit.jacobian << slopes, solution.rightCols(engine_health);
+  fit.jacobian << slopes, solution.rightCols(healths);
   const Eigen::VectorXd intercept = solution.col(0);
-  // Balance of the fitted engine at the trim's fan speed: the other states and the fuel flow, which lie side by side in
-  // v, take up the rates of the intercept.
+  // Balance of the fitted engine at the trim's fan speed: the other states and the fuel flow take up the rates of the
+  // intercept.
   const Eigen::Index n = layout.states();
+  const std::vector<Eigen::Index> settled = layout.settled_inputs();
+  const Eigen::MatrixXd balance = fit.jacobian.topRows(n)(Eigen::all, settled);
   Eigen::VectorXd shift = Eigen::VectorXd::Zero(layout.inputs());
-  shift.segment(1, n) = -fit.jacobian.block(0, 1, n, n).partialPivLu().solve(intercept.head(n));
+  shift(settled) = -balance.partialPivLu().solve(intercept.head(n));
   fit.inputs = v0 + shift;
   fit.outputs = f0 + intercept + fit.jacobian * shift;
   return fit;
 }
 
 Eigen::MatrixXd linearisation_error(const linear_model::LinearModel& model, const Fleet& fleet) {
-  Eigen::VectorXd trim(engine_sensors + engine_auxiliary);
+  const EngineLayout& layout = fleet.layout;
+  Eigen::VectorXd trim(layout.sensor_count() + layout.auxiliary_count());
   trim << linear_model::trims(model.sensors), linear_model::trims(model.auxiliary);
   const auto balance = model.A.partialPivLu();
   Eigen::MatrixXd moment = Eigen::MatrixXd::Zero(trim.size(), trim.size());
   for (Eigen::Index k = 0; k < fleet.inputs.cols(); ++k) {
     const Eigen::VectorXd u =
-        fleet.inputs.col(k).segment(fleet.layout.fuel(), engine_controls) - linear_model::trims(model.controls);
-    const Eigen::VectorXd h = fleet.inputs.col(k).tail(engine_health) - linear_model::trims(model.health);
+        fleet.inputs.col(k).segment(layout.controls(), layout.control_count()) - linear_model::trims(model.controls);
+    const Eigen::VectorXd h = fleet.inputs.col(k).tail(layout.health_count()) - linear_model::trims(model.health);
     const Eigen::VectorXd x = -balance.solve(model.B * u + model.L * h);
     Eigen::VectorXd linear(trim.size());
     linear << model.C * x + model.D * u + model.M * h, model.F * x + model.G * u + model.N * h;

@@ -1,7 +1,7 @@
 #pragma once
 // The linear model that serves a whole fleet best, and what it still misses.
 //
-// Engines with h ~ N(0, health_sigma^2) run in steady state at the trim's fan speed, v and f of engine_channels.h:
+// Engines with h ~ N(0, sigma^2), sigma of the engine file, run in steady state at the trim's fan speed, v and f of engine_channels.h:
 //   states and controls   J_xu: derivative at each engine, averaged over the fleet
 //   health                f(v) - J_xu (v - v0)_xu ~ f0 + J_h (h - h0)      least squares over the fleet
 // In two steps, because in steady state core speed and fuel flow follow health: one fit of all columns would hand them
@@ -25,7 +25,7 @@ struct Fleet {
 
 /// @throws std::runtime_error if more than one engine in a hundred has no steady point.
 Fleet steady_fleet(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
-                   const engine_sim::SteadyPoint& trim, double health_sigma, int engines, std::uint64_t seed);
+                   const engine_sim::SteadyPoint& trim, int engines, std::uint64_t seed);
 
 /// Fitted trim and derivatives.
 struct FleetFit {

@@ -1,10 +1,11 @@
 #include "tuner_design/linearise/linearise.h"
 
-#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
+#include "engine_sim/engines/engine_file.h"
+#include "engine_sim/linear_model/sensor_noise.h"
 #include "tuner_design/linearise/engine_channels.h"
 #include "tuner_design/linearise/fleet_fit.h"
 
@@ -13,31 +14,32 @@ namespace {
 
 using linear_model::LinearModel;
 
-void add_noise(LinearModel& model, const NoiseAssumptions& noise) {
-  model.health_sigma.setConstant(engine_health, noise.health_sigma);
-  model.sensor_noise_sigma.resize(engine_sensors);
-  for (Eigen::Index i = 0; i < engine_sensors; ++i) {
-    const linear_model::Channel& sensor = model.sensors[static_cast<std::size_t>(i)];
-    const double percent = sensor.unit == "rpm"  ? noise.speed_percent
-                           : sensor.unit == "Pa" ? noise.pressure_percent
-                                                 : noise.temperature_percent;
-    model.sensor_noise_sigma(i) = percent / 100.0 * sensor.trim;
+void add_noise(const std::vector<engine_sim::SensorChannel>& sensors, const engine_sim::NamedChannels& channels,
+               double process_noise_percent, LinearModel& model) {
+  const auto m = static_cast<Eigen::Index>(sensors.size());
+  model.health_sigma.resize(static_cast<Eigen::Index>(channels.health.size()));
+  for (std::size_t i = 0; i < channels.health.size(); ++i)
+    model.health_sigma(static_cast<Eigen::Index>(i)) = channels.health[i].sigma;
+  Eigen::VectorXd resolution(m);
+  for (Eigen::Index i = 0; i < m; ++i) resolution(i) = sensors[static_cast<std::size_t>(i)].resolution;
+  if (!resolution.isZero(0.0)) model.sensor_resolution = resolution;
+  model.sensor_noise_sigma.resize(m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double own_sigma = sensors[at].noise_percent / 100.0 * std::abs(model.sensors[at].trim);
+    model.sensor_noise_sigma(i) = linear_model::counted_sigma(model, i, own_sigma);
   }
   // the metal follows the gas without noise of its own
   Eigen::VectorXd sigma = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.states.size()));
   sigma.head<2>() << model.states[0].trim, model.states[1].trim;
-  model.process_noise = (noise.process_noise_percent / 100.0 * sigma).cwiseAbs2().asDiagonal();
-}
-
-double lag_of(const SensorLags& lags, const std::string& unit) {
-  return unit == "rpm" ? lags.speed_s : unit == "Pa" ? lags.pressure_s : lags.temperature_s;
+  model.process_noise = (process_noise_percent / 100.0 * sigma).cwiseAbs2().asDiagonal();
 }
 
 /// One more state for each lagging sensor: s' = (C x + D u + M h - s)/tau.
-void add_sensor_lags(LinearModel& model, const SensorLags& lags) {
-  for (Eigen::Index i = 0; i < engine_sensors; ++i) {
+void add_sensor_lags(const std::vector<engine_sim::SensorChannel>& sensors, LinearModel& model) {
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(sensors.size()); ++i) {
     const linear_model::Channel& sensor = model.sensors[static_cast<std::size_t>(i)];
-    const double tau_s = lag_of(lags, sensor.unit);
+    const double tau_s = sensors[static_cast<std::size_t>(i)].lag_s;
     if (tau_s == 0.0) continue;
     const Eigen::Index n = model.A.rows();
     const auto grow = [](Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {
@@ -61,13 +63,6 @@ void add_sensor_lags(LinearModel& model, const SensorLags& lags) {
   }
 }
 
-/// The engine's name in small letters, without blanks: "JT9D" is jt9d, "high-bypass turbofan" high-bypass-turbofan.
-std::string type_of(const engine_sim::EngineData& engine) {
-  std::string type = engine.name;
-  for (char& c : type) c = c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return type;
-}
-
 /// Which engine, and where it runs: points of one envelope differ by it.
 std::string model_name(const engine_sim::EngineData& engine, const engine_sim::SteadyPoint& trim) {
   const engine_sim::FlightCondition& flight = trim.operation.flight;
@@ -80,21 +75,22 @@ std::string model_name(const engine_sim::EngineData& engine, const engine_sim::S
 
 }  // namespace
 
-Linearisation linearise(const engine_sim::Turbofan& turbofan, const LineariseOptions& options) {
+Linearisation linearise(std::shared_ptr<const engine_sim::EngineDefinition> engine, const LineariseOptions& options) {
+  const engine_sim::Turbofan turbofan(engine->data);
   const engine_sim::SteadyPoint trim =
       engine_sim::solve_steady(turbofan, options.flight, options.health, options.demand);
   Linearisation result;
   LinearModel& model = result.model;
   model.name = model_name(turbofan.data(), trim);
-  model.engine_type = type_of(turbofan.data());
+  model.engine_type = engine_sim::engine_type(engine->data);
+  model.engine_hash = engine_sim::engine_hash(*engine);
   model.discrete = false;
   model.sample_time_s = options.sample_time_s;
   model.operating_point = {options.flight.altitude_m, options.flight.mach, options.flight.delta_isa_k};
 
-  const EngineLayout layout{options.heat_soak};
+  const EngineLayout layout{engine, options.heat_soak};
   Fleet fleet;
-  if (options.fleet > 0)
-    fleet = steady_fleet(layout, turbofan, trim, options.noise.health_sigma, options.fleet, options.seed);
+  if (options.fleet > 0) fleet = steady_fleet(layout, turbofan, trim, options.fleet, options.seed);
   if (options.method == LineariseMethod::fleet) {
     if (options.fleet == 0) throw std::invalid_argument("linearise: the method fleet needs a fleet (--fleet above 0)");
     const FleetFit fit = fit_fleet(turbofan, trim, fleet);
@@ -105,9 +101,10 @@ Linearisation linearise(const engine_sim::Turbofan& turbofan, const LineariseOpt
     name_channels(layout, model, inputs_of(layout, trim), outputs_of(layout, trim.gas));
     split_jacobian(layout, model, result.study.jacobian);
   }
-  add_noise(model, options.noise);
+  const auto sensors = engine_sim::overridden(engine->channels.sensors, options.sensors);
+  add_noise(sensors, engine->channels, options.process_noise_percent, model);
   if (options.fleet > 0) model.linearisation_error = linearisation_error(model, fleet);
-  add_sensor_lags(model, options.lags);  // in steady state they change nothing
+  add_sensor_lags(sensors, model);  // in steady state they change nothing
   return result;
 }
 

@@ -8,27 +8,15 @@
 // With a fleet, what either misses of the nonlinear engine is measured and becomes the model's linearisation_error.
 
 #include <cstdint>
+#include <memory>
 
+#include "engine_sim/engines/engine_definition.h"
 #include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/model/solve/steady.h"
-#include "engine_sim/model/turbofan.h"
+#include "engine_sim/sensors/sensor_suite.h"
 #include "tuner_design/linearise/step_study.h"
 
 namespace ehm::tuner_design {
-
-/// Noise and spread that go into the model ([SG] table 2 for the sensors).
-struct NoiseAssumptions {
-  double speed_percent = 0.25;
-  double pressure_percent = 0.5;
-  double temperature_percent = 0.75;
-  double health_sigma = 0.02;           ///< fraction
-  double process_noise_percent = 0.01;  ///< of the speeds' trim, per sample
-};
-
-/// Time constants of the sensors by kind; 0: no lag, no state.
-struct SensorLags {
-  double speed_s = 0.0, pressure_s = 0.0, temperature_s = 0.0;
-};
 
 enum class LineariseMethod { perturbation, fleet };
 
@@ -41,8 +29,8 @@ struct LineariseOptions {
   engine_sim::Demand demand;
   double sample_time_s = 0.015;
   bool heat_soak = false;
-  SensorLags lags;
-  NoiseAssumptions noise;
+  engine_sim::SensorOverrides sensors;  ///< in place of the engine file's noise and lags; a lag is a state
+  double process_noise_percent = 0.01;  ///< of the speeds' trim, per sample
   LineariseMethod method = LineariseMethod::perturbation;
   int fleet = 2000;        ///< engines of the fleet; 0: none, the linearisation error is not measured
   std::uint64_t seed = 1;  ///< of that fleet
@@ -55,6 +43,6 @@ struct Linearisation {
 
 /// @throws what solve_steady throws if there is no steady point.
 /// @throws what study_steps, steady_fleet and fit_fleet throw.
-Linearisation linearise(const engine_sim::Turbofan& turbofan, const LineariseOptions& options);
+Linearisation linearise(std::shared_ptr<const engine_sim::EngineDefinition> engine, const LineariseOptions& options);
 
 }  // namespace ehm::tuner_design

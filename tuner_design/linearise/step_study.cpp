@@ -20,14 +20,13 @@ Eigen::VectorXd output_scale(const EngineLayout& layout, const Eigen::VectorXd& 
 
 Eigen::MatrixXd differences(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
                             const engine_sim::SteadyPoint& trim, double relative_step) {
-  const Eigen::VectorXd v = inputs_of(layout, trim), size = input_size(layout, v);
+  const Eigen::VectorXd v = inputs_of(layout, trim), size = input_size(layout, v), lowest = lowest_inputs(layout);
   const auto f = [&](const Eigen::VectorXd& at) { return evaluate(layout, turbofan, trim, at); };
   Eigen::MatrixXd result(layout.outputs(), layout.inputs());
   for (Eigen::Index j = 0; j < layout.inputs(); ++j) {
     const double step = relative_step * size(j);
     const Eigen::VectorXd s = step * Eigen::VectorXd::Unit(layout.inputs(), j);
-    const bool shut = j == layout.fuel() + 2 && v(j) < step;
-    if (shut)
+    if (v(j) - step < lowest(j))
       result.col(j) = (-3.0 * f(v) + 4.0 * f(v + s) - f(v + 2.0 * s)) / (2.0 * step);
     else
       result.col(j) = (f(v + s) - f(v - s)) / (2.0 * step);

@@ -27,7 +27,7 @@ Evaluation evaluate(const design::Design& design, const EvaluateOptions& options
   const Window window = window_of(options.seconds, options.window, design.model.sample_time_s);
   std::vector<Truth> truths;
   if (options.linear) truths.push_back(linear_truth(design));
-  if (options.nonlinear) truths.push_back(nonlinear_truth(design, options.hold));
+  if (options.nonlinear) truths.push_back(nonlinear_truth(design, options.hold, options.engine));
 
   const auto cost_s = [&](const Truth& truth, bool kalman) {
     return (truth.nonlinear ? steady_point_s : 0.0) + (kalman ? window.samples * step_s : snapshot_s);

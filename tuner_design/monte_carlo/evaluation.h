@@ -11,10 +11,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "engine_sim/engines/jt9d_engine.h"
 #include "monitor/design/design.h"
 
 namespace ehm::tuner_design {
@@ -23,12 +25,13 @@ namespace ehm::tuner_design {
 enum class Hold { fan_speed, fuel_flow };
 
 struct EvaluateOptions {
-  bool linear = true, nonlinear = false;  ///< truths
-  bool kalman = true, map = true;         ///< estimators
-  std::size_t runs = 375;                 ///< engines that the filter flies on, [SG]'s number
-  std::size_t engines = 100000;           ///< engines of the MAP estimators
-  double seconds = 30.0;                  ///< of a run, from a cold start
-  double window = 10.0;                   ///< the last seconds of it, over which the error is averaged
+  bool linear = true, nonlinear = false;                                                      ///< truths
+  std::shared_ptr<const engine_sim::EngineDefinition> engine = engine_sim::default_engine();  ///< of the nonlinear one
+  bool kalman = true, map = true;                                                             ///< estimators
+  std::size_t runs = 375;        ///< engines that the filter flies on, [SG]'s number
+  std::size_t engines = 100000;  ///< engines of the MAP estimators
+  double seconds = 30.0;         ///< of a run, from a cold start
+  double window = 10.0;          ///< the last seconds of it, over which the error is averaged
   std::uint64_t seed = 1;
   unsigned threads = long_work::all_cores();
   Hold hold = Hold::fan_speed;

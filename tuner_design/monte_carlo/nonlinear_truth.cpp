@@ -1,11 +1,12 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "engine_sim/engines/jt9d.h"
 #include "engine_sim/model/solve/steady.h"
 #include "tuner_design/linearise/engine_channels.h"
+#include "tuner_design/linearise/engine_match.h"
 #include "tuner_design/monte_carlo/truth.h"
 
 namespace ehm::tuner_design {
@@ -34,12 +35,9 @@ std::vector<Eigen::Index> positions(const std::vector<Channel>& wanted, const st
 /// The turbofan at the design's flight condition and controls.
 class Fleet {
  public:
-  Fleet(const LinearModel& model, Hold hold) : turbofan_(engine_sim::jt9d()) {
-    if (model.engine_type != "jt9d" || !model.operating_point) {
-      throw std::invalid_argument("nonlinear truth: the design is for the engine type '" + model.engine_type + "'" +
-                                  (model.operating_point ? "" : " without operating_point") +
-                                  "; allowed: jt9d at an operating point, as tuner_design linearise writes it");
-    }
+  Fleet(const LinearModel& model, Hold hold, std::shared_ptr<const engine_sim::EngineDefinition> engine)
+      : layout_{std::move(engine)}, turbofan_(layout_.engine->data) {
+    require_engine(model, *layout_.engine, "nonlinear truth");
     LinearModel known;
     name_channels(layout_, known, Eigen::VectorXd::Zero(layout_.inputs()), Eigen::VectorXd::Zero(layout_.outputs()));
     sensors_ = positions(model.sensors, known.sensors, "sensor");
@@ -57,14 +55,14 @@ class Fleet {
     engine_sim::Operation worn = operation_;
     for (std::size_t i = 0; i < health_.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
-      worn.health[static_cast<std::size_t>(health_[i])] = health_trim_(at) + health(at);
+      worn.health[parameter(i)] = health_trim_(at) + health(at);
     }
     try {
       const engine_sim::SteadyPoint point = engine_sim::solve_steady(turbofan_, worn, demand_, &new_engine_);
       const Eigen::VectorXd outputs = outputs_of(layout_, point.gas);
-      const Eigen::VectorXd controls = inputs_of(layout_, point).segment<engine_controls>(layout_.fuel());
-      return EngineInBalance{outputs.segment<engine_sensors>(layout_.sensors())(sensors_) - sensor_trim_,
-                             outputs.segment<engine_auxiliary>(layout_.auxiliary())(auxiliary_) - auxiliary_trim_,
+      const Eigen::VectorXd controls = inputs_of(layout_, point).segment(layout_.controls(), layout_.control_count());
+      return EngineInBalance{outputs.segment(layout_.sensors(), layout_.sensor_count())(sensors_) - sensor_trim_,
+                             outputs.tail(layout_.auxiliary_count())(auxiliary_) - auxiliary_trim_,
                              controls(controls_) - control_trim_};
     } catch (const engine_sim::SolveError&) {
       return std::nullopt;  // the caller counts these engines
@@ -81,15 +79,18 @@ class Fleet {
   }
 
  private:
+  /// Of the design's health parameter i among the gas path's.
+  engine_sim::Health parameter(std::size_t i) const {
+    return layout_.channels().health[static_cast<std::size_t>(health_[i])].parameter;
+  }
   void set_trim(const LinearModel& model) {
     operation_.flight = {model.operating_point->altitude_m, model.operating_point->mach,
                          model.operating_point->delta_isa_k};
-    double* const held[engine_controls]{&operation_.fuel_flow_kg_s, &operation_.geometry.vsv_deg,
-                                        &operation_.geometry.vbv_fraction};
     for (std::size_t i = 0; i < controls_.size(); ++i)
-      *held[controls_[i]] = control_trim_(static_cast<Eigen::Index>(i));
+      layout_.channels().controls[static_cast<std::size_t>(controls_[i])]->of(operation_) =
+          control_trim_(static_cast<Eigen::Index>(i));
     for (std::size_t i = 0; i < health_.size(); ++i)
-      operation_.health[static_cast<std::size_t>(health_[i])] = health_trim_(static_cast<Eigen::Index>(i));
+      operation_.health[parameter(i)] = health_trim_(static_cast<Eigen::Index>(i));
   }
 
   engine_sim::Demand demand_of(const LinearModel& model, Hold hold) const {
@@ -113,8 +114,9 @@ class Fleet {
 
 }  // namespace
 
-Truth nonlinear_truth(const design::Design& design, Hold hold) {
-  const auto fleet = std::make_shared<const Fleet>(design.model, hold);
+Truth nonlinear_truth(const design::Design& design, Hold hold,
+                      std::shared_ptr<const engine_sim::EngineDefinition> engine) {
+  const auto fleet = std::make_shared<const Fleet>(design.model, hold, std::move(engine));
   return {fleet->description(), true,
           [fleet](const estimation::HealthVector& health) { return fleet->engine(health); }};
 }

@@ -15,9 +15,11 @@
 // (tests/unit/tuner_design/monte_carlo/nonlinear_truth_test.cpp flies it). The start of the filter is cold.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "engine_sim/engines/engine_definition.h"
 #include "monitor/design/design.h"
 #include "monitor/estimation/capacity.h"
 #include "tuner_design/monte_carlo/evaluation.h"
@@ -41,9 +43,9 @@ struct Truth {
 
 Truth linear_truth(const design::Design& design);
 
-/// @throws std::invalid_argument if the design is not for the engine type jt9d, has no operating point, or has a
-/// channel
-///         that this engine does not know by name and unit; names it and what is known.
-Truth nonlinear_truth(const design::Design& design, Hold hold);
+/// @throws std::invalid_argument if the design is for another engine (engine_match.h), has no operating point, or has a
+///         channel that this engine does not know by name and unit; names it and what is known.
+Truth nonlinear_truth(const design::Design& design, Hold hold,
+                      std::shared_ptr<const engine_sim::EngineDefinition> engine);
 
 }  // namespace ehm::tuner_design

@@ -43,6 +43,7 @@ void fly(Studies& studies, const design::Design& design, bool nonlinear, const S
   EvaluateOptions flight;
   flight.linear = !nonlinear;
   flight.nonlinear = nonlinear;
+  flight.engine = options.engine;
   flight.threads = options.threads;
   const std::string truth = nonlinear ? "the nonlinear engine" : "the linear engine";
   try {

@@ -31,6 +31,8 @@ struct Studies {
 
 struct StudyOptions {
   bool quick = false;  ///< no Monte Carlo, and none of the papers' tables
+  std::shared_ptr<const engine_sim::EngineDefinition> engine =
+      engine_sim::default_engine();  ///< of the nonlinear truth
   unsigned threads = 1;
   std::function<void(double)> progress = [](double) {};  ///< share of the work that is done, 0 to 1
 };

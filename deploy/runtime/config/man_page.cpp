@@ -66,16 +66,22 @@ void options(std::ostream& out, const CLI::App& app, bool with_configuration) {
   for (const CLI::App* group : subcommands(app, true)) options(out, *group, with_configuration);
 }
 
-void commands(std::ostream& out, const CLI::App& app) {
-  const auto list = subcommands(app, false);
-  if (list.empty()) return;
-  out << ".SH COMMANDS\n";
-  for (const CLI::App* command : list) {
-    out << ".SS " << roff(command->get_name()) << '\n';
+/// One section a command, those of a command behind it.
+void command_sections(std::ostream& out, const CLI::App& app, const std::string& before) {
+  for (const CLI::App* command : subcommands(app, false)) {
+    const std::string name = before + command->get_name();
+    out << ".SS " << roff(name) << '\n';
     paragraph(out, command->get_description());
     options(out, *command, true);
     if (command->get_footer() != app.get_footer()) paragraph(out, command->get_footer());  // inherited otherwise
+    command_sections(out, *command, name + " ");
   }
+}
+
+void commands(std::ostream& out, const CLI::App& app) {
+  if (subcommands(app, false).empty()) return;
+  out << ".SH COMMANDS\n";
+  command_sections(out, app, "");
 }
 
 void configuration(std::ostream& out, const Schema& schema) {

@@ -18,7 +18,12 @@ SurfaceValue positive(const SurfaceValue& s) {
 }  // namespace
 
 CompressorMap::CompressorMap(const CompressorMapData& data)
-    : data_(data), speed_(data.speed_breaks), r_line_(data.r_line_breaks), surge_(data.surge_flow_breaks) {
+    : data_(data),
+      numbers_(own_numbers({&data_.speed_breaks, &data_.r_line_breaks, &data_.flow, &data_.pressure, &data_.efficiency,
+                            &data_.surge_flow_breaks, &data_.surge_pressure_ratio})),
+      speed_(data.speed_breaks),
+      r_line_(data.r_line_breaks),
+      surge_(data.surge_flow_breaks) {
   const std::size_t expected = speed_.size() * r_line_.size();
   if (data.flow.size() != expected || data.pressure.size() != expected || data.efficiency.size() != expected ||
       data.surge_pressure_ratio.size() != surge_.size()) {

@@ -13,6 +13,7 @@
 
 #include <span>
 
+#include "engine_sim/model/maps/map_numbers.h"
 #include "engine_sim/model/maps/spline.h"
 #include "engine_sim/model/solve/dual.h"
 
@@ -42,6 +43,7 @@ struct CompressorMapPoint {
 
 class CompressorMap {
  public:
+  /// Copies the numbers.
   /// @throws std::invalid_argument if a surface does not have the size that its break points ask for
   explicit CompressorMap(const CompressorMapData& data);
 
@@ -50,6 +52,7 @@ class CompressorMap {
   CompressorMapPoint<S> at(const S& speed, const S& r_line) const;
   template <class S>
   S surge_pressure_ratio(const S& flow) const;
+  const CompressorMapData& data() const { return data_; }
 
  private:
   struct Values {
@@ -64,6 +67,7 @@ class CompressorMap {
   static constexpr double choke_rate = 0.5;
 
   CompressorMapData data_;
+  MapNumbers numbers_;
   SplineBasis speed_;
   SplineBasis r_line_;
   SplineBasis surge_;

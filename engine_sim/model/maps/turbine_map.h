@@ -8,6 +8,7 @@
 
 #include <span>
 
+#include "engine_sim/model/maps/map_numbers.h"
 #include "engine_sim/model/maps/spline.h"
 #include "engine_sim/model/solve/dual.h"
 
@@ -30,6 +31,7 @@ struct TurbineMapPoint {
 
 class TurbineMap {
  public:
+  /// Copies the numbers.
   /// @throws std::invalid_argument if a surface does not have the size that its break points ask for
   explicit TurbineMap(const TurbineMapData& data);
 
@@ -45,9 +47,11 @@ class TurbineMap {
     return {choking * chain(g.f, g.by_x, speed, g.by_y, pressure_ratio),
             chain(eff.f, eff.by_x, speed, eff.by_y, pressure_ratio)};
   }
+  const TurbineMapData& data() const { return data_; }
 
  private:
   TurbineMapData data_;
+  MapNumbers numbers_;
   SplineBasis speed_;
   SplineBasis pressure_ratio_;
 };

@@ -117,6 +117,7 @@ GasPathStatus FlowBalance::try_solve(const Operation& operation, const SpoolSpee
       engine_.publish(input_, cycle_, found) != FlowDefect::none) {
     return GasPathStatus::no_solution;
   }
+  if (metal != nullptr) found.metal_k = *metal;
   gas = found;
   return GasPathStatus::ok;
 }
@@ -129,7 +130,9 @@ GasPath FlowBalance::solve(const Operation& operation, const SpoolSpeeds& speeds
   if (const NewtonEnd end = close(flow_balance, {operation, speeds, metal}, unknowns); !end.closed) {
     throw_not_closed(flow_balance, end);
   }
-  return engine_.report(input_, cycle_);
+  GasPath gas = engine_.report(input_, cycle_);
+  if (metal != nullptr) gas.metal_k = *metal;
+  return gas;
 }
 
 }  // namespace ehm::engine_sim

@@ -7,8 +7,7 @@ namespace ehm::engine_sim {
 Transient::Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak heat_soak)
     : balance_(engine),
       heat_soak_(heat_soak),
-      // each lump with the gas that reaches it; the duct behind the HPT keeps the temperature
-      state_{start.gas.speeds, {start.gas.s30.tt_k, start.gas.s48.tt_k, start.gas.s50.tt_k}},
+      state_{start.gas.speeds, start.gas.metal_k},  // in balance each lump has the gas temperature
       predicted_(start.unknowns) {}
 
 const GasPath& Transient::output(const Operation& operation) {

@@ -64,7 +64,7 @@ TEST_F(OperatorTest, OrdersAreCarriedOutAndAnswered) {
 
 TEST_F(OperatorTest, ARefusalSaysWhyAndIsAFailure) {
   const auto simulator = fly_alone();
-  expect_refused({"demand", "--n1-rpm", "100"}, "value[0] (n1_rpm) is 100, allowed is 500 to 5000");
+  expect_refused({"demand", "--n1-rpm", "100"}, "value[0] (n1_rpm) is 100, allowed is 500 to 30000");
   expect_refused({"demand", "--thrust-n", "900000"},
                  "value[0] (net_thrust_n) is 900000, but at its limit of fan speed");
   expect_refused({"health", "hpt_flow", "-0.5"}, "hpt_flow after the command is -0.5, allowed is -0.3 to 0.1");
@@ -74,7 +74,7 @@ TEST_F(OperatorTest, ARefusalSaysWhyAndIsAFailure) {
   const auto j = nlohmann::json::parse(machine.said);
   EXPECT_EQ(j["accepted"], false);
   EXPECT_EQ(j["readers"], 1);
-  EXPECT_EQ(j["replies"][0]["message"], "value[0] (n1_rpm) is 100, allowed is 500 to 5000");
+  EXPECT_EQ(j["replies"][0]["message"], "value[0] (n1_rpm) is 100, allowed is 500 to 30000");
 }
 
 TEST_F(OperatorTest, AWrongNameListsTheNamesThereAre) {

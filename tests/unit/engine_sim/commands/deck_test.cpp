@@ -53,7 +53,7 @@ TEST_F(DeckTest, RepeatsTheInputsAsGivenAndNamesNoColumnTwice) {
               StartsWith("mach,net_thrust_n,altitude_m,delta_isa_k,converged,w_2_kg_s,pt_2_pa,tt_2_k,w_13_kg_s,"));
   EXPECT_THAT(folder_.content("deck.csv"), HasSubstr("\n0.80,4.0e4,10668.0,+0,1,"));
   const files::CsvTable table = written();  // would refuse a repeated name
-  EXPECT_EQ(table.header.cells.size(), 4u + 1 + 24 + 10 - 1);
+  EXPECT_EQ(table.header.cells.size(), 4u + 1 + 24 + 14 - 1);
   for (const char* column : {"ps_30_pa", "n1_rpm", "n2_rpm", "fuel_flow_kg_s", "bypass_ratio", "overall_pressure_ratio",
                              "stall_margin_fan", "stall_margin_lpc", "stall_margin_hpc", "tt_50_k"})
     EXPECT_GT(number(table, 0, column), 0.0) << column;
@@ -104,7 +104,7 @@ TEST_F(DeckTest, ACaseWithoutASteadyPointIsAnEmptyRowWithAReason) {
   EXPECT_THAT(result.err, HasSubstr(folder_.path("cases.csv") + ":3: no steady point: "));
   EXPECT_THAT(result.err, HasSubstr("residual '"));
   EXPECT_THAT(result.err, EndsWith("1 of 2 cases did not converge\n"));
-  EXPECT_THAT(folder_.content("deck.csv"), EndsWith("\n0,0,0,500e3,0" + std::string(33, ',') + "\n"));
+  EXPECT_THAT(folder_.content("deck.csv"), EndsWith("\n0,0,0,500e3,0" + std::string(37, ',') + "\n"));
 }
 
 TEST_F(DeckTest, RefusesAMalformedFileBeforeItWritesAnything) {

@@ -11,7 +11,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/figures/contour_labels.h"
-#include "engine_sim/figures/jt9d_figures.h"
+#include "engine_sim/figures/engine_figures.h"
 #include "engine_sim/figures/operating_line.h"
 #include "engine_sim/figures/reference_points.h"
 #include "engine_sim/model/units.h"
@@ -84,7 +84,7 @@ TEST_F(MapsTest, WritesAPictureAndItsNumbersForEachComponent) {
 TEST_F(MapsTest, TheNumbersAreTheMaps) {
   const std::map<std::string, const CompressorData*> compressors{
       {"fan", &jt9d().fan}, {"lpc", &jt9d().lpc}, {"hpc", &jt9d().hpc}};
-  for (const Figure& figure : jt9d_figures(std::nullopt)) {
+  for (const Figure& figure : engine_figures(jt9d(), std::nullopt)) {
     const CsvFigure csv(folder_.file(figure.name + ".csv", figure_csv(figure)));
     int speed_lines = 0, surge = 0;
     for (const files::CsvRow& row : csv.table.rows) {
@@ -130,7 +130,7 @@ TEST_F(MapsTest, TheOperatingLineIsTheEngines) {
   const GasPath& idle = lines[0].points.back().gas;
   EXPECT_NEAR(idle.speeds.n2_rpm / std::sqrt(idle.s2.tt_k / reference_temperature_k),
               ratings.ground_idle_corrected_n2_rpm, 1e-3);
-  for (const Figure& figure : jt9d_figures(std::nullopt)) {
+  for (const Figure& figure : engine_figures(jt9d(), std::nullopt)) {
     const auto curves = curves_of(figure.curves, "operating_line");
     ASSERT_EQ(curves.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -158,7 +158,7 @@ TEST_F(MapsTest, ReferencePointsAreScaledAndUnconvergedOnesLeftOut) {
   }
   const std::string numbers = ",0.9,1000,1.4,0.9,0.9,150,1.3,0.9,0.97,190,18,0.85,100,30,5,0.93,100,150,5,0.92\n";
   const std::string path = folder_.file("points.csv", text + "\n1,a" + numbers + "0,b" + numbers);
-  for (const Figure& figure : jt9d_figures(files::read_csv(path))) {
+  for (const Figure& figure : engine_figures(jt9d(), files::read_csv(path))) {
     const auto curves = curves_of(figure.curves, "reference");
     ASSERT_EQ(curves.size(), 1u);
     EXPECT_EQ(curves[0]->points.size(), 1u);

@@ -45,6 +45,7 @@ TEST(ModelFile, RoundTripIsExact) {
   LinearModel model = test::made_up_model();
   model.operating_point = {10668.0, 0.8, 0.1};
   model.engine_type = "test";
+  model.engine_hash = "0123abcd";
   model.A(0, 0) = 0.1 + 0.2;  // not 0.3
   model.health[1].trim = -0.017;
   const std::string path = test::temporary_path("round_trip.json");
@@ -54,6 +55,7 @@ TEST(ModelFile, RoundTripIsExact) {
   EXPECT_EQ(read.discrete, model.discrete);
   EXPECT_EQ(read.sample_time_s, model.sample_time_s);
   EXPECT_EQ(read.engine_type, "test");
+  EXPECT_EQ(read.engine_hash, "0123abcd");
   EXPECT_EQ(read.operating_point->delta_isa_k, 0.1);
   EXPECT_EQ(read.health[1].trim, -0.017);
   EXPECT_EQ(read.auxiliary[0].unit, "degR");
@@ -130,8 +132,9 @@ const Defect defects[] = {
     {"MissingSigma", [](files::Json& j) { j["health"][2].erase("sigma"); }, "key health[2].sigma is missing. Add it."},
     {"MissingTrim", [](files::Json& j) { j["sensors"][1].erase("trim"); }, "key sensors[1].trim is missing. Add it."},
     {"UnknownKey", [](files::Json& j) { j["H"] = 1; },
-     "key H is unknown; allowed here: A, B, C, D, F, G, L, M, N, auxiliary, controls, engine_type, health, "
-     "linearisation_error, name, operating_point, process_noise, sample_time_s, schema, sensors, states, time. Correct "
+     "key H is unknown; allowed here: A, B, C, D, F, G, L, M, N, auxiliary, controls, engine_hash, engine_type, "
+     "health, linearisation_error, name, operating_point, process_noise, sample_time_s, schema, sensors, states, time. "
+     "Correct "
      "the spelling or remove "
      "it."},
     {"UnknownChannelKey", [](files::Json& j) { j["states"][0]["sigma"] = 1; },

@@ -1,4 +1,4 @@
-#include "high_bypass_engine.h"
+#include "tests/unit/engine_sim/model/high_bypass_engine.h"
 
 #include "engine_sim/engines/jt9d_maps.h"
 #include "engine_sim/model/units.h"

@@ -101,9 +101,9 @@ TEST_F(ApplyCommandTest, ThrustIsADemandWithinReach) {
 TEST_F(ApplyCommandTest, RefusesWhatIsOutOfRange) {
   SimCommand c = command(static_cast<SimCommandKind>(9), 0, 0.0);
   EXPECT_EQ(refused(c), "kind is 9, allowed is 1 to 7 (idl/wire_values.h)");
-  EXPECT_EQ(refused(command(SimCommandKind::set_demand, 0, 0.0)), "value[0] (n1_rpm) is 0, allowed is 500 to 5000");
+  EXPECT_EQ(refused(command(SimCommandKind::set_demand, 0, 0.0)), "value[0] (n1_rpm) is 0, allowed is 500 to 30000");
   EXPECT_EQ(refused(command(SimCommandKind::set_demand, 0, std::nan(""))),
-            "value[0] (n1_rpm) is nan, allowed is 500 to 5000");
+            "value[0] (n1_rpm) is nan, allowed is 500 to 30000");
   EXPECT_EQ(refused(command(SimCommandKind::set_health, 10, 0.0)),
             "channel (health parameter) is 10, allowed is 0 to 9");
   EXPECT_EQ(refused(command(SimCommandKind::set_health, 0, -0.5)),

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "engine_sim/engines/jt9d.h"
+#include "engine_sim/engines/jt9d_engine.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/linearise/linearise.h"
@@ -24,7 +24,7 @@ const design::Design& cruise_design(LineariseMethod method) {
     options.flight = {10668.0, 0.8, 0.0};
     options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
     options.method = each;
-    return design_tuner(linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model, {});
+    return design_tuner(linearise(engine_sim::default_engine(), options).model, {});
   };
   static const design::Design tangent = made(LineariseMethod::perturbation), fleet = made(LineariseMethod::fleet);
   return method == LineariseMethod::fleet ? fleet : tangent;
@@ -107,7 +107,8 @@ TEST(FaultStudy, RefusesADesignOfAnotherEngine) {
       [&] {
         studied(other, {1, 0.0, 1, 1});
       },
-      testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("allowed: jt9d")));
+      testing::ThrowsMessage<std::invalid_argument>(
+          testing::HasSubstr("study faults: the design for the engine '' has no operating_point")));
 }
 
 }  // namespace

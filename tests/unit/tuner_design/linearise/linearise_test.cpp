@@ -7,7 +7,9 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "engine_sim/engines/engine_file.h"
 #include "engine_sim/engines/jt9d.h"
+#include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/linear_model/model_check.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/design/design_tuner.h"
@@ -21,7 +23,7 @@ class LineariseAtCruise : public ::testing::Test {
   static void SetUpTestSuite() {
     options.flight = {10668.0, 0.8, 0.0};
     options.demand = {engine_sim::DemandKind::t40_k, 1308.6};
-    result = linearise(turbofan, options);
+    result = linearise(engine_sim::default_engine(), options);
   }
   static inline const engine_sim::Turbofan turbofan{engine_sim::jt9d()};
   static inline LineariseOptions options;
@@ -49,12 +51,15 @@ TEST_F(LineariseAtCruise, IsAValidStableModel) {
 TEST_F(LineariseAtCruise, NamesTheEngineThatItWasMadeFrom) {
   EXPECT_EQ(result.model.engine_type, "jt9d");
   EXPECT_EQ(result.model.name, "JT9D-class turbofan, 10668 m, Mach 0.8, ISA +0 K, T40 1309 K");
-  engine_sim::EngineData other = engine_sim::jt9d();
-  other.name = "Test bed turbofan";
+  engine_sim::EngineDefinition other = engine_sim::jt9d_engine();
+  other.data.name = "Test bed turbofan";
   LineariseOptions quick = options;
   quick.fleet = 0;
-  const linear_model::LinearModel model = linearise(engine_sim::Turbofan(other), quick).model;
+  const linear_model::LinearModel model =
+      linearise(std::make_shared<const engine_sim::EngineDefinition>(other), quick).model;
   EXPECT_EQ(model.engine_type, "test-bed-turbofan");
+  EXPECT_EQ(result.model.engine_hash, engine_sim::engine_hash(engine_sim::jt9d_engine()));
+  EXPECT_NE(model.engine_hash, result.model.engine_hash);
   EXPECT_EQ(model.name, "Test bed turbofan, 10668 m, Mach 0.8, ISA +0 K, T40 1309 K");
 }
 
@@ -62,7 +67,7 @@ TEST_F(LineariseAtCruise, AHalfWornEngineHasATrimOfItsOwn) {
   LineariseOptions worn = options;
   worn.fleet = 0;
   worn.health = half_worn_health;
-  const linear_model::LinearModel model = linearise(turbofan, worn).model;
+  const linear_model::LinearModel model = linearise(engine_sim::default_engine(), worn).model;
   EXPECT_NO_THROW(linear_model::check_model(model, "half worn"));
   // At the same T40 a worn engine turns slower and gives less thrust.
   EXPECT_LT(model.states[0].trim, result.model.states[0].trim);
@@ -104,7 +109,7 @@ TEST_F(LineariseAtCruise, DesignOnTheFleetsFitIsBetterInAllAndNearThePrior) {
   LineariseOptions fleet = options;
   fleet.method = LineariseMethod::fleet;
   const design::Design tangent = design_tuner(result.model, {});
-  const design::Design design = design_tuner(linearise(turbofan, fleet).model, {});
+  const design::Design design = design_tuner(linearise(engine_sim::default_engine(), fleet).model, {});
   EXPECT_LT(design.full.health_total_covariance.trace(), tangent.full.health_total_covariance.trace());
   EXPECT_LT(design.linearisation.health.sum(), 0.4 * tangent.linearisation.health.sum());
   // HPC flow alone is not told better than the fleet's own 2 %, by a tenth; the tangent's 4.4 % are more than twice.
@@ -119,7 +124,7 @@ TEST_F(LineariseAtCruise, DesignOnTheFleetsFitIsBetterInAllAndNearThePrior) {
 TEST_F(LineariseAtCruise, TheFleetsFitBalancesAtItsTrim) {
   LineariseOptions fleet = options;
   fleet.method = LineariseMethod::fleet;
-  const linear_model::LinearModel fit = linearise(turbofan, fleet).model;
+  const linear_model::LinearModel fit = linearise(engine_sim::default_engine(), fleet).model;
   EXPECT_DOUBLE_EQ(fit.states[0].trim, result.model.states[0].trim);  // the fan speed is the demand
   // The fleet is symmetric, the engine is not: its average lies near the new engine, not on it.
   for (std::size_t i = 0; i < fit.sensors.size(); ++i)
@@ -131,7 +136,7 @@ TEST_F(LineariseAtCruise, TheFleetsFitHasTheEnginesDynamics) {
   // Averaged slopes, not slopes that carry what health does: the kink of the HPC's map changes them by a third at most.
   LineariseOptions fleet = options;
   fleet.method = LineariseMethod::fleet;
-  const linear_model::LinearModel fit = linearise(turbofan, fleet).model;
+  const linear_model::LinearModel fit = linearise(engine_sim::default_engine(), fleet).model;
   const Eigen::VectorXd own = fit.A.eigenvalues().real(), tangent = result.model.A.eigenvalues().real();
   EXPECT_NEAR(own.maxCoeff() / tangent.maxCoeff(), 1.0, 0.35);
   EXPECT_NEAR(own.minCoeff() / tangent.minCoeff(), 1.0, 0.35);
@@ -155,7 +160,7 @@ TEST_F(LineariseAtCruise, HeatSoakAddsSlowStatesAndKeepsTheSteadyGain) {
   LineariseOptions soaked = options;
   soaked.heat_soak = true;
   soaked.fleet = 0;
-  const linear_model::LinearModel model = linearise(turbofan, soaked).model;
+  const linear_model::LinearModel model = linearise(engine_sim::default_engine(), soaked).model;
   ASSERT_EQ(model.A.rows(), 5);
   EXPECT_NO_THROW(linear_model::check_model(model, "soaked"));
   // C k/C of jt9d.cpp: 25, 15 and 30 s, somewhat changed by the engine around them
@@ -169,9 +174,10 @@ TEST_F(LineariseAtCruise, HeatSoakAddsSlowStatesAndKeepsTheSteadyGain) {
 
 TEST_F(LineariseAtCruise, SensorLagsBecomeStatesWithTheirTimeConstants) {
   LineariseOptions lagging = options;
-  lagging.lags = {.speed_s = 0.0, .pressure_s = 0.04, .temperature_s = 0.7};
+  lagging.sensors.lag_pressure_s = 0.04;
+  lagging.sensors.lag_temperature_s = 0.7;
   lagging.fleet = 0;
-  const linear_model::LinearModel model = linearise(turbofan, lagging).model;
+  const linear_model::LinearModel model = linearise(engine_sim::default_engine(), lagging).model;
   ASSERT_EQ(model.A.rows(), 2 + 2 + 3);  // P24, Ps30; T24, T30, T48
   EXPECT_NO_THROW(linear_model::check_model(model, "lagging"));
   EXPECT_EQ(model.states[2].name, "P24_sensor");
@@ -186,7 +192,7 @@ TEST_F(LineariseAtCruise, SensorLagsBecomeStatesWithTheirTimeConstants) {
 TEST_F(LineariseAtCruise, HealthAtTrimIsRecorded) {
   LineariseOptions worn = options;
   worn.health[engine_sim::hpc_efficiency] = -0.01;
-  EXPECT_EQ(linearise(turbofan, worn).model.health[engine_sim::hpc_efficiency].trim, -0.01);
+  EXPECT_EQ(linearise(engine_sim::default_engine(), worn).model.health[engine_sim::hpc_efficiency].trim, -0.01);
 }
 
 }  // namespace

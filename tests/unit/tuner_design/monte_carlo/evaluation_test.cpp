@@ -169,8 +169,8 @@ TEST(Evaluation, RefusesWhatCannotBe) {
   refuses([](EvaluateOptions& o) { o.engines = 0; }, "engines is 0; allowed: 2 or more");
   refuses(
       [](EvaluateOptions& o) { o.nonlinear = true; },
-      "nonlinear truth: the design is for the engine type '' without operating_point; allowed: jt9d at an operating "
-      "point, as tuner_design linearise writes it");
+      "nonlinear truth: the design for the engine '' has no operating_point; allowed: a design of what tuner_design "
+      "linearise writes");
 }
 
 }  // namespace

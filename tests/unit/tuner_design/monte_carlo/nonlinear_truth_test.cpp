@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine_sim/engines/jt9d.h"
+#include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/model/solve/transient.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/design_tuner.h"
@@ -21,7 +22,7 @@ const design::Design& cruise_design(LineariseMethod method) {
     options.flight = {10668.0, 0.8, 0.0};
     options.demand = {engine_sim::DemandKind::t40_k, 1308.6};
     options.method = each;
-    return design_tuner(linearise(engine_sim::Turbofan(engine_sim::jt9d()), options).model, {});
+    return design_tuner(linearise(engine_sim::default_engine(), options).model, {});
   };
   static const design::Design tangent = made(LineariseMethod::perturbation), fleet = made(LineariseMethod::fleet);
   return method == LineariseMethod::fleet ? fleet : tangent;
@@ -46,7 +47,7 @@ TEST(NonlinearTruth, StaysWhereItIsInFlight) {
   engine_sim::Transient flight(turbofan, start);
   for (int k = 0; k < 2000; ++k) flight.step(start.operation, 0.015);
 
-  const auto engine = nonlinear_truth(design, Hold::fan_speed).engine(h);
+  const auto engine = nonlinear_truth(design, Hold::fan_speed, engine_sim::default_engine()).engine(h);
   ASSERT_TRUE(engine.has_value());
   const engine_sim::GasPath& gas = flight.output(start.operation);
   const double flown[]{gas.speeds.n1_rpm, gas.speeds.n2_rpm, gas.s24.pt_pa, gas.s24.tt_k,
@@ -60,8 +61,8 @@ TEST(NonlinearTruth, StaysWhereItIsInFlight) {
 
 TEST(NonlinearTruth, HoldsWhatItWasAskedTo) {
   const design::Design& design = cruise_design(LineariseMethod::perturbation);
-  const auto at_speed = nonlinear_truth(design, Hold::fan_speed).engine(some_wear());
-  const auto at_fuel = nonlinear_truth(design, Hold::fuel_flow).engine(some_wear());
+  const auto at_speed = nonlinear_truth(design, Hold::fan_speed, engine_sim::default_engine()).engine(some_wear());
+  const auto at_fuel = nonlinear_truth(design, Hold::fuel_flow, engine_sim::default_engine()).engine(some_wear());
   EXPECT_NEAR(at_speed->sensors(0), 0.0, 1e-6);
   EXPECT_GT(std::abs(at_speed->controls(0)), 1e-3);
   EXPECT_GT(std::abs(at_fuel->sensors(0)), 1.0);
@@ -72,7 +73,7 @@ TEST(NonlinearTruth, IsTheLinearModelForAlmostNoWear) {
   // At the tangent's trim a thousandth of the wear leaves a millionth of curvature.
   const design::Design& design = cruise_design(LineariseMethod::perturbation);
   const estimation::HealthVector h = 1e-3 * some_wear();
-  const auto nonlinear = nonlinear_truth(design, Hold::fuel_flow).engine(h);
+  const auto nonlinear = nonlinear_truth(design, Hold::fuel_flow, engine_sim::default_engine()).engine(h);
   const auto linear = linear_truth(design).engine(h);
   EXPECT_LT((nonlinear->sensors - linear->sensors).norm(), 2e-3 * linear->sensors.norm());
   EXPECT_LT((nonlinear->auxiliary - linear->auxiliary).norm(), 2e-3 * linear->auxiliary.norm());
@@ -82,7 +83,7 @@ TEST(NonlinearTruth, RefusesAnUnknownChannel) {
   design::Design design = cruise_design(LineariseMethod::perturbation);
   design.model.sensors[2].name = "P99";
   try {
-    nonlinear_truth(design, Hold::fan_speed);
+    nonlinear_truth(design, Hold::fan_speed, engine_sim::default_engine());
     FAIL() << "P99 was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),

@@ -1,0 +1,69 @@
+// engine_sim's configuration with another engine than the default: what is not given is the engine's own.
+
+#include <gmock/gmock.h>
+
+#include "engine_sim/engines/engine_file.h"
+#include "engine_sim/engines/jt9d_engine.h"
+#include "engine_sim/engines/shipped_engines.h"
+#include "engine_sim/scenario/scenario_file.h"
+#include "tests/temporary_folder.h"
+#include "tests/unit/deploy/runtime/config/config_file.h"
+
+namespace {
+
+using namespace ehm;
+using testing::HasSubstr;
+
+class EngineKeysTest : public testing::Test {
+ protected:
+  engine_sim::Scenario load(const std::string& toml) {
+    engine_sim::SimConfig config;
+    config::Schema schema;
+    engine_sim::declare(schema, config);
+    schema.load(folder_.file("scenario.toml", toml));
+    engine_sim::finish_config(config, schema);
+    return config.scenario;
+  }
+  std::string error(const std::string& toml) {
+    return test::message_of<config::ConfigError>([&] { load(toml); });
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(EngineKeysTest, WithoutANameTheDefaultEngineFlies) {
+  const engine_sim::Scenario s = load("");
+  EXPECT_EQ(s.engine.get(), &engine_sim::jt9d_engine());
+  EXPECT_EQ(s.control.limits.n1_rpm, 4070.0);
+  EXPECT_FALSE(s.sensors.noise_speed_percent);
+}
+
+TEST_F(EngineKeysTest, WhatIsNotGivenIsTheEnginesOwn) {
+  const engine_sim::Scenario s = load(
+      "[engine]\nmodel = \"high_bypass\"\n[control]\nn1_max_rpm = 4500\nhold_limits = false\n"
+      "[sensors]\nlag_temperature_s = 0.7\n");
+  EXPECT_EQ(s.engine->data.name, "high-bypass turbofan");
+  EXPECT_EQ(s.control.limits.n1_rpm, 4500.0);
+  EXPECT_EQ(s.control.limits.n2_rpm, 15400.0);  // its rating, not the JT9D's 8400
+  EXPECT_FALSE(s.control.hold_limits);
+  EXPECT_EQ(s.control.fuel.acceleration.size(), s.engine->control.fuel.acceleration.size());
+  EXPECT_EQ(s.sensors.lag_temperature_s, 0.7);
+  EXPECT_FALSE(s.sensors.noise_temperature_percent);
+}
+
+TEST_F(EngineKeysTest, TablesSpeakOfItsChannels) {
+  const std::string fault = "[[sensor_fault]]\ntime_s = 1\nsensor = \"P13\"\nkind = \"dropout\"\n";
+  EXPECT_EQ(load("[engine]\nmodel = \"high_bypass\"\n" + fault).faults.at(0).sensor, 2u);
+  EXPECT_THAT(error(fault), HasSubstr("Nf, Nc, P24, T24, Ps30, T30, T48"));
+}
+
+TEST_F(EngineKeysTest, AFileIsReadAndItsDefectsAreTold) {
+  const std::string file = folder_.file("mine.json", engine_sim::engine_text(engine_sim::jt9d_engine()));
+  const engine_sim::Scenario s = load("[engine]\nmodel = \"" + file + "\"\n");
+  EXPECT_EQ(engine_sim::engine_hash(*s.engine), engine_sim::engine_hash(engine_sim::jt9d_engine()));
+  const std::string bad = folder_.file("bad.json", "{\"schema\": \"ehm-engine/1\"}");
+  EXPECT_EQ(error("[engine]\nmodel = \"" + bad + "\"\n"), "'engine.model': " + bad + ": key name is missing. Add it.");
+  EXPECT_THAT(error("[engine]\nmodel = \"jt8d\"\n"),
+              HasSubstr("'engine.model': no engine is named 'jt8d'; allowed: jt9d, high_bypass, or an engine file"));
+}
+
+}  // namespace
