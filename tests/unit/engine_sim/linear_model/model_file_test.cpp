@@ -174,15 +174,15 @@ const Defect defects[] = {
      "health[4].name is \"h1\" again; allowed: each name once in its list. Rename one of the two."},
     {"TooManyStates",
      [](files::Json& j) {
-       for (int i = 0; i < 11; ++i)
+       for (int i = 0; i < 15; ++i)
          j["states"].push_back({{"name", "s" + std::to_string(i)}, {"unit", "-"}, {"trim", 1}});
-       j["A"] = j["process_noise"] = std::vector<std::vector<double>>(13, std::vector<double>(13, 0.0));
-       j["B"] = std::vector<std::vector<double>>(13, std::vector<double>(1, 0.0));
-       j["L"] = std::vector<std::vector<double>>(13, std::vector<double>(6, 0.0));
-       j["C"] = std::vector<std::vector<double>>(4, std::vector<double>(13, 0.0));
-       j["F"] = std::vector<std::vector<double>>(2, std::vector<double>(13, 0.0));
+       j["A"] = j["process_noise"] = std::vector<std::vector<double>>(17, std::vector<double>(17, 0.0));
+       j["B"] = std::vector<std::vector<double>>(17, std::vector<double>(1, 0.0));
+       j["L"] = std::vector<std::vector<double>>(17, std::vector<double>(6, 0.0));
+       j["C"] = std::vector<std::vector<double>>(4, std::vector<double>(17, 0.0));
+       j["F"] = std::vector<std::vector<double>>(2, std::vector<double>(17, 0.0));
      },
-     "states is 13 channels long; allowed: 1 to 12 channels. Choose the channels that matter most."},
+     "states is 17 channels long; allowed: 1 to 16 channels. Choose the channels that matter most."},
     {"NoHealth",
      [](files::Json& j) {
        for (const char* key : {"health", "L", "M", "N"}) j[key] = files::Json::array();

@@ -257,7 +257,7 @@ void expect_same(const std::string& regenerated, const std::string& committed) {
 TEST_F(FitMaps, TheCommittedMapsAreThoseOfTheCommittedSettings) {
   const std::string tables_file = std::string(EHM_REFERENCE_DIR) + "/jt9d_maps.json";
   if (!std::filesystem::exists(tables_file)) GTEST_SKIP() << "reference data is absent: set EHM_REFERENCE_DIR";
-  const std::string committed = std::string(EHM_SOURCE_DIR) + "/engine_sim/model/maps";
+  const std::string committed = std::string(EHM_SOURCE_DIR) + "/engine_sim/engines";
   ASSERT_EQ(run(committed + "/jt9d_fit.json", tables_file), 0) << err_.str();
   expect_same(content(folder_ + "/jt9d_maps.cpp"), content(committed + "/jt9d_maps.cpp"));
   EXPECT_EQ(content(folder_ + "/jt9d_maps.h"), content(committed + "/jt9d_maps.h"));
