@@ -2,9 +2,7 @@
 // The topics of the shadow estimators: EngineHealth/NAME and EngineAuxiliary/NAME for each, with the same types, keys
 // and delivery as the published ones. Real-time safe: as RankedWriter. Must be destroyed before the Participant.
 
-#include <deque>
 #include <string>
-#include <vector>
 
 #include "idl/topics.h"
 #include "monitor/redundancy/ranked_writer.h"

@@ -73,8 +73,8 @@ TEST_F(CommandsTest, AnUnknownCommandIsNamed) {
   Process wrong({EHM_ENGINE_SIM, "mpas"});
   EXPECT_EQ(wrong.wait(seconds(20)), 2);
   EXPECT_EQ(wrong.log(),
-            "engine_sim: unknown command 'mpas'; did you mean maps? Allowed are deck, maps, or the service's options. "
-            "See engine_sim --help\n");
+            "engine_sim: unknown command 'mpas'; did you mean maps? Allowed are deck, engine, maps, or the service's "
+            "options. See engine_sim --help\n");
 }
 
 }  // namespace

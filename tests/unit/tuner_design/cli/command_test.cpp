@@ -76,7 +76,8 @@ TEST(Command, EvaluateTellsWhatItCannotFly) {
   const std::string file = design_on_disk();
   const Result nonlinear = run({"evaluate", file, "--truth", "nonlinear"});
   EXPECT_EQ(nonlinear.code, 2);
-  EXPECT_THAT(nonlinear.err, HasSubstr(file + ": nonlinear truth: the design is for the engine type ''"));
+  EXPECT_THAT(nonlinear.err,
+              HasSubstr(file + ": nonlinear truth: the design for the engine '' has no operating_point"));
   EXPECT_TRUE(nonlinear.out.empty());
   const Result window = run({"evaluate", file, "--seconds", "5", "--window", "6"});
   EXPECT_EQ(window.code, 2);
