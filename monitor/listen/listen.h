@@ -8,8 +8,8 @@
 #include <CLI/App.hpp>
 #include <iosfwd>
 
-#include "monitor/service/monitor_config.h"
 #include "monitor/service/engine_table.h"
+#include "monitor/service/monitor_config.h"
 
 namespace ehm::monitor {
 

@@ -20,8 +20,8 @@
 
 #include "deploy/runtime/recording/writer.h"
 #include "monitor/record/record_feed.h"
-#include "monitor/service/monitor_config.h"
 #include "monitor/service/engine_table.h"
+#include "monitor/service/monitor_config.h"
 #include "monitor/service/notice_board.h"
 
 namespace ehm::monitor {

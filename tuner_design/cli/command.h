@@ -22,8 +22,8 @@ struct Console {
   std::ostream& err;
 };
 
-/// What the chosen subcommand does, after the command line was parsed. Throws files::FileError or
-/// files::FileError for what the user can mend in a file (exit code 2), any other exception for exit code 1.
+/// What the chosen subcommand does, after the command line was parsed. Throws files::FileError for what the
+/// user can mend in a file (exit code 2), any other exception for exit code 1.
 using Action = std::function<void(const Console&)>;
 
 struct OutputOptions {

@@ -4,7 +4,7 @@
 //   health sigma   health_sigma: a number for each parameter or one for all, in its unit
 //   sensor noise   sensor_noise_sigma likewise, or R: m x m and diagonal, a vector of variances, or one variance
 //   rounding       sensor_resolution, the step of a sensor's values in its unit, and sensor_update_period_s, the time
-//                  between them: both optional, NaN where not known; they raise the noise (estimation/sensor_noise.h)
+//                  between them: both optional, NaN where not known; they raise the noise (linear_model/sensor_noise.h)
 //   process noise  Q per sample: n x n, a vector of variances, or one variance
 // What is assumed in percent of trim needs a trim, or a channel in percent.
 

@@ -185,8 +185,8 @@ TEST(Report, EveryEngineMakesASoundPage) {
     design::write_design(design_tuner(page.model, options), design);
     const Result result = run({"report", design, "-o", html, "--csv-dir", folder.path(page.name), "--quick"});
     ASSERT_EQ(result.code, 0) << page.name << ": " << result.err;
-    const std::string check = std::string("python3 ") + EHM_SOURCE_DIR + "/tests/unit/tuner_design/report/check_page.py " +
-                              html + " " + folder.path(page.name);
+    const std::string check = std::string("python3 ") + EHM_SOURCE_DIR +
+                              "/tests/unit/tuner_design/report/check_page.py " + html + " " + folder.path(page.name);
     EXPECT_EQ(std::system(check.c_str()), 0) << page.name;
     EXPECT_THAT(folder.content(page.name + ".html"), Not(HasSubstr("<script")));
     EXPECT_THAT(folder.content(page.name + ".html"), Not(HasSubstr("onload=alert(2)>")));
@@ -237,8 +237,9 @@ TEST(Report, CheckOfPagesFindsDefects) {
       std::ofstream(numbers / (id + ".csv"), std::ios::binary) << to_csv(table);
   }
   const auto sound = [&](const std::string& html) {
-    const std::string check = std::string("python3 ") + EHM_SOURCE_DIR + "/tests/unit/tuner_design/report/check_page.py " +
-                              folder.file("page.html", html) + " " + numbers.string() + " > /dev/null";
+    const std::string check = std::string("python3 ") + EHM_SOURCE_DIR +
+                              "/tests/unit/tuner_design/report/check_page.py " + folder.file("page.html", html) + " " +
+                              numbers.string() + " > /dev/null";
     return std::system(check.c_str()) == 0;
   };
   const auto replaced = [&](const std::string& what, const std::string& with) {
