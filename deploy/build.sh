@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Configures and builds, incrementally. Usage: deploy/build.sh [BUILD_DIR [TARGET ...]]; default build, all targets.
 # EHM_PRESET names a preset of CMakePresets.json; more for CMake in EHM_CMAKE_ARGS.
 set -euo pipefail

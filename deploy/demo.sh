@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # One command from a bare Debian 12 to live estimates: installs, builds, designs, flies.
 # Usage: deploy/demo.sh [--seconds N] [--estimator NAME] [--json]
 #   --seconds N   length of the flight, 12 to 86400 (default 30); at 10 s HPC efficiency falls by 2 %

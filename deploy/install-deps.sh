@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs what building, running and testing needs, on a bare Debian 12. This is the one list of packages.
 # Usage: deploy/install-deps.sh [--full]   as root, or as a user who may run sudo; --full adds what only
 #        ./tests/run.sh --full needs

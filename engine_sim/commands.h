@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The offline commands of engine_sim: deck, engine and maps. They need no DDS and no configuration.
 

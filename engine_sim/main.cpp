@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // engine_sim: arguments -> scenario -> simulated engine -> DDS, one sample each period -> exit code;
 // engine_sim COMMAND: an offline command instead (commands.h).
 

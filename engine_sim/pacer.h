@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Periodic wake-ups on absolute deadlines of the monotonic clock, so that a late cycle never shifts the next one.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The simulator's loop: wait for readers, then commands -> sample -> publish -> pace, until stopped or flown.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What engine_sim flies, as its loop sees it: the channels, one sample after another, and the orders that it takes
 // between two samples. No clock, no DDS. Simulation is the nonlinear turbofan, LinearEngine a model of the user's own.

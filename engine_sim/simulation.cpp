@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/simulation.h"
 
 #include <algorithm>
 #include <sstream>
 #include <string>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/simulation_channels.h"
 
 namespace ehm::engine_sim {
@@ -24,8 +26,8 @@ SteadyPoint trimmed(const Turbofan& turbofan, const Scenario& scenario) {
                            scenario.demand);
   } catch (const std::exception& e) {
     std::ostringstream text;
-    text << describe(scenario.flight, std::string(demand_names[static_cast<std::size_t>(scenario.demand.kind)]))
-         << " = " << scenario.demand.value << " (t40_k may be up to some " << turbofan.data().ratings.t40_max_k
+    text << describe(scenario.flight, std::string(demand_names[as_size(scenario.demand.kind)])) << " = "
+         << scenario.demand.value << " (t40_k may be up to some " << turbofan.data().ratings.t40_max_k
          << "); change demand or flight: " << e.what();
     throw FlightError(text.str());
   }

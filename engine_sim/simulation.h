@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One simulated engine in flight: profile -> control -> gas path -> sensors, one sample after another. No clock, no
 // DDS.

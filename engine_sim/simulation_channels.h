@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The turbofan's channels as the wire describes them: those that its engine file names, in that order, with the trims of
 // the new engine. Actuators are the linear model's u.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // An order in words, the same for who gives it and who answers it: "T48: bias of +10 K for 5 s".
 

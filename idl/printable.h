@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Text of strangers, and text for the wire: what a damaged file or another participant brought along must neither forge
 // lines of a log, steer a terminal, nor break JSON.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which type travels on which topic, and how: the table of topics in the README, as code.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The documented values of wire_values.h as words, for displays, metrics and logs.
 
@@ -5,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 
 namespace ehm::idl {
@@ -48,7 +50,7 @@ inline constexpr std::array event_kind_names{"?",
                                              "engine_left",
                                              "second_monitor",
                                              "command_flood"};
-static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::command_flood) + 1);
+static_assert(event_kind_names.size() == as_size(EventKind::command_flood) + 1);
 
 inline constexpr std::array<std::pair<std::uint32_t, const char*>, 6> estimate_flag_names{
     {{estimate_flag::converging, "converging"},

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The documented values behind the unsigned long fields of engine_health.idl, schema 1.
 // Values are never reused or renumbered: subscribers of any version read them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // monitor: arguments -> config -> loop -> exit code; with --listen a wiring check instead of the loop.
 
 #include <spdlog/spdlog.h>

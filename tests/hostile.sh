@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # A hostile day: the pair as it is built, on a network and with disks of its own, under every attack of
 # tests/hostile/day.py. Prints a line an attack: what was tried, and what was held, by numbers, or BROKEN.
 # Usage: tests/hostile.sh BUILD_DIR [ATTACK...]      all attacks by default, some five minutes; --help lists them

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs what is missing, builds, and runs the tests through ctest. The last two lines say which tests needed a second
 # try, and "N passed, N failed".
 # Usage: tests/run.sh           the default tier: all that guards every change

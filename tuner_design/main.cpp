@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // tuner_design: nonlinear engine -> linear model -> design -> the file that monitor loads.
 
 #include <iostream>

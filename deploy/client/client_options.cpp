@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/client/client_options.h"
 
 #include <CLI/Config.hpp>

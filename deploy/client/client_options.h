@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How the tools that people start by hand join DDS: the same options and environment variables for each of them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Numbers of a command line that are finite and within a range, neither of which CLI11 asks of "nan".
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Compile options that every target of the project shares, and the way a library is declared.
 
 function(ehm_target_options target)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/command/channel_name.h"
 
 #include <fmt/format.h>

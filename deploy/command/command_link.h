@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The way of an order to those who read its topic, and of their replies back.
 //

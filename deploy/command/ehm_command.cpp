@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ehm_command: arguments -> order -> who listens -> channel by name -> SimCommand or MonitorCommand -> replies -> exit
 // code.
 
@@ -14,7 +15,7 @@
 #include "deploy/command/channel_name.h"
 #include "deploy/command/command_link.h"
 #include "deploy/command/order.h"
-#include "deploy/command/report.h"
+#include "deploy/command/order_answer.h"
 #include "deploy/runtime/config/man_page.h"
 #include "deploy/runtime/config/usage_answer.h"
 #include "deploy/runtime/service/exit_code.h"
@@ -73,12 +74,12 @@ int give(Options& options) {
   }
   const idl::OrderedChannel channel = address(options.order, options.engine, link.descriptions());
   const auto& command = std::get<Command>(options.order.command);
-  Report report{.topic = idl::Topic<Command>::name,
-                .partition = options.client.partition,
-                .domain = options.client.domain,
-                .engine_id = options.engine,
-                .readers = link.readers(),
-                .order = idl::order_text(command, channel)};
+  OrderAnswer report{.topic = idl::Topic<Command>::name,
+                     .partition = options.client.partition,
+                     .domain = options.client.domain,
+                     .engine_id = options.engine,
+                     .readers = link.readers(),
+                     .order = idl::order_text(command, channel)};
   if (!options.json) std::cout << opening(report) << std::flush;
   link.send(command, options.timeout_s, [&](const CommandReply& reply) {
     report.replies.push_back(reply);

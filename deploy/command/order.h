@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the operator's command line orders, before anybody is asked: the command as it goes over the wire but for the
 // number of its channel, which only the running engine's description knows.

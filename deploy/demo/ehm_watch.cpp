@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ehm_watch: shows the monitor's estimates of one engine, beside their truth where its source tells it, live, and judges
 // the run at its end.
 
@@ -165,7 +166,7 @@ void declare(CLI::App& app, Options& options) {
 }
 
 /// What the run was worth, on standard output and error; returns the exit code.
-int judge(const demo::WatchData& data, const Options& options) {
+int check(const demo::WatchData& data, const Options& options) {
   std::cout << (options.json ? demo::json(data) : demo::summary(data, demo::terminal_width(STDOUT_FILENO)));
   if (options.seconds <= 0.0) return service::exit_ok;
   std::string verdict = over(data, options) ? "" : "the flight did not come to its end";
@@ -196,7 +197,7 @@ int run(int argc, char** argv) {
   try {
     demo::WatchData data;
     watch(data, options);
-    return judge(data, options);
+    return check(data, options);
   } catch (const std::exception& e) {
     std::cerr << "ehm_watch: " << e.what() << '\n';
     return service::exit_failed;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Text laid out for a terminal of so many columns. A column is a UTF-8 code point.
 

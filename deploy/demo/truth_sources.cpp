@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/demo/truth_sources.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whose EngineTruth counts: that of the engine's own source, whose samples the monitor follows.
 //

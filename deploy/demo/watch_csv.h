@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Every estimate beside its truth as CSV, for plots: time_s, then <name>_truth, <name>_estimate, <name>_sigma by
 // channel; the truth is empty where there is none.

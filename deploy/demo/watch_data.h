@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What ehm_watch has heard on the wire about one engine: latest values, truth and estimate paired by sample, and the
 // counts of its summary. Without truth, as on hardware, the estimates stand alone.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/demo/watch_output.h"
 
 #include <spdlog/fmt/fmt.h>

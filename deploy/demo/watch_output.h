@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How ehm_watch shows what it heard: a table that refreshes in place, plain lines, a summary, or one JSON object; and
 // what it makes of a run. `columns`: of the terminal.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What CPack knows of the packages: names, descriptions, dependencies, scripts.
 set(CPACK_PACKAGE_NAME ehm)
 set(CPACK_PACKAGE_VENDOR "Engine health monitor authors")

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Draws the documents' pictures anew: the data path, the HPC map with the reference points where they are at hand, the
 # estimates of one demo flight against the truth, and what the closed form is worth.
 # Usage: deploy/pictures/make.sh [NPSS_CASES.csv]     (graphviz and gnuplot-nox; the flight takes 30 s)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Sourced by make_security.sh: what was issued to whom, one run at a time, and each run whole or not at all.
 #
 # A run works on copies in DIR/.staging.X. When all is made, that folder is renamed to DIR/.ready: this instant is the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Sourced by make_security.sh: certificates, governance and permissions, and which role may do what.
 # Documents follow OMG DDS Security 1.1, chapter 9.4; they hold no XML comments, because parsers differ about them.
 # shellcheck disable=SC2034,SC2154  # variables of make_security.sh and authority.sh

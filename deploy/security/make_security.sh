@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Makes what DDS Security needs: a CA, the rules of the domain (governance), and for each participant a certificate, a key
 # and the permissions of its role. With openssl alone. What exists is kept.
 set -euo pipefail

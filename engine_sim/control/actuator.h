@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A position servo: first-order lag towards its command, limited in rate.
 //   x <- x + clamp((command - x) (1 - exp(-dt/lag)), -falling dt, rising dt)        lag 0: only the rate limits

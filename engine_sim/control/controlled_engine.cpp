@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/control/controlled_engine.h"
 
 #include "engine_sim/model/ratings.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // An engine and its control, one sample after another: measurements -> control -> actuators -> gas path -> spools.
 //   measured at sample k: speeds and flight condition of k, T48 and Ps30 of the gas path of k - 1

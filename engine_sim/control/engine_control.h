@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The control of one engine, once a sample: measurements and a fan speed demand to fuel flow, stator vanes and bleed
 // valves. The actuators are part of it; what it returns are their positions.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Fan speed that a demand asks for. A demand of fan speed is itself; one of net thrust is converted by the new engine:
 //   n1 = N1 of solve_steady(new engine, flight, net thrust), valves on schedule

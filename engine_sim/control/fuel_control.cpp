@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/control/fuel_control.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::engine_sim {
 namespace {
@@ -73,7 +76,7 @@ void FuelControl::follow(const Measurements& m, double n1_demand_rpm, double dt_
 double FuelControl::update(const Measurements& m, double n1_demand_rpm, double dt_s) {
   follow(m, n1_demand_rpm, dt_s);
   const auto change = increments(m, dt_s);
-  const auto wanted_by = [&](FuelLoop loop) { return change[static_cast<std::size_t>(loop)]; };
+  const auto wanted_by = [&](FuelLoop loop) { return change[as_size(loop)]; };
   Selection selected{wanted_by(FuelLoop::n1_governor), FuelLoop::n1_governor};
   selected.raise_to(wanted_by(FuelLoop::n2_idle), FuelLoop::n2_idle);
   if (data_.hold_limits) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Fuel flow from a fan speed demand, by selection among loops in incremental form, so that none of them winds up:
 //   loop y with limit or demand r:  e = (r - y)/y,   d ln Wf = (w/K) (T (e[k] - e[k-1]) + e[k] dt)

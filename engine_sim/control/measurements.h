@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the control measures, and the corrected quantities that it schedules with:
 //   theta2 = T2/288.15 K, delta2 = P2/101 325 Pa (to the maps' reference state), Nc = N/sqrt(theta2)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/control/scheduled_point.h"
 
 #include <cmath>

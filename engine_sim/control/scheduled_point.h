@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Steady points of an engine whose vanes and bleed valves stand where the control wants them: where a flight starts.
 // The vanes are on schedule there by definition; the valves' position and the point that it gives are iterated.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One SimCommand carried out between two samples: what its field may be, whether the engine survives it, and what became
 // of it as the one text that is both logged and answered.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Operators' SimCommands in, what became of them out: to the log, and as CommandReply to whoever gave a request number.
 

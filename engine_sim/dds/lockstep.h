@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Rate max: the simulator runs at most `window` samples ahead of the monitor's answers, so that keep-last loses
 // nothing. A window that is never answered (a monitor died and came back, samples were refused) is given up after a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the simulator puts on the wire: sensors, truth, and the description of its channels.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Samples that are sent before anybody has matched are gone: a flight or a replay waits here first.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The simulator's and the replay's DDS participant, from the configuration; who is kept out of its secured domain is
 // said in the log.
@@ -19,7 +20,7 @@ class WatchedParticipant {
  public:
   /// `name` is what other participants see. @throws idl::DdsError
   WatchedParticipant(const SimConfig& config, const std::string& name) : options_(options(config, name)) {
-    auto incidents = service::hear_incidents(options_);
+    auto incidents = service::receive_incidents(options_);
     participant_.emplace(options_);
     if (!config.security.empty())
       security_.emplace(

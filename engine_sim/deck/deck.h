@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A performance deck: every case solved from a cold start, so that a row depends on nothing but its own inputs and the
 // bytes are the same on any number of threads. A case without a steady point is a row with converged = 0 and empty

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The cases of a performance deck: each row of the file as what the engine is asked for.
 

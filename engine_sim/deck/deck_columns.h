@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The columns of a performance deck: each input with its range and where it goes, each output and where it comes from.
 //   inputs   altitude_m, mach, delta_isa_k; one demand; optionally geometry, off-take and the ten health fractions

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `engine_sim deck`: a file of cases becomes a performance deck.
 

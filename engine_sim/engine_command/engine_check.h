@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does an engine run? Its file has been read, so that each value by itself can be; here the engine flies:
 //   design point   steady at the stated flight condition, off-take and fuel flow: speeds and unknowns within 2 % of what

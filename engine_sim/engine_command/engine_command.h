@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `engine_sim engine export | check | show`: engine files.
 

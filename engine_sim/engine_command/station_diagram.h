@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // An engine for the eye: its stations with flow, total pressure and temperature at the design point, then every other
 // quantity of the channel table, then what the file measures, asks for, sets and wears.

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/engines/channel_table.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/model/units.h"
 
 namespace ehm::engine_sim {
@@ -129,7 +131,7 @@ const ControlChannel* find_control(std::string_view name) {
 }
 
 std::size_t find_health(std::string_view name) {
-  return static_cast<std::size_t>(std::find(health_names.begin(), health_names.end(), name) - health_names.begin());
+  return as_size(std::find(health_names.begin(), health_names.end(), name) - health_names.begin());
 }
 
 std::string output_names() {

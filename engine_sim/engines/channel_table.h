@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Everything that the gas path can be asked for and set to, by name: the one home of channel names and units. An engine
 // file picks its sensors, auxiliary outputs, controls and health parameters from here; the deck's columns, the wire's

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The object `channels` of an engine file: what the engine is measured by, asked for, set by, and worn in.
 //   sensors     [{name, noise_percent, lag_s, resolution}]   1 to 16; lag_s and resolution may be left out: none

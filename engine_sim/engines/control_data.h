@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Everything that the control of one engine needs to know of it. Corrected speeds are N/sqrt(theta2) in rpm, ratio
 // units are those of measurements.h. Errors: none. Source of a particular engine's numbers: its file.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The control's part of an engine file (control_data.h), the object `control`: limits, fuel, vanes, bleed_valves,
 // middle_n1_corrected_rpm. A schedule is [[at, value], ...] with ascending `at`.

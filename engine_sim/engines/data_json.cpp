@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/engines/data_json.h"
 
 #include "engine_sim/engines/json_fields.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The gas path's part of an engine file (engine_data.h), at the root: name; inlet, fan, lpc, hpc, hpt, lpt, nozzles,
 // losses, inertias, metal, ratings, design_point. A range is what a real engine can be, so that a value in another unit

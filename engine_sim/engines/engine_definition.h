@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What an engine is, as one value: the gas path's data, the data of its control, and its named channels. The file of it
 // is engine_file.h, the shipped ones are shipped_engines.h.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // An engine as a file, JSON, schema "ehm-engine/1": everything of EngineDefinition, maps included (data_json.h,
 // map_json.h, control_json.h, channels_json.h tell the keys, ranges and units; deploy/docs/engine_files.md the reader).

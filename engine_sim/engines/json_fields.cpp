@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/engines/json_fields.h"
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::engine_sim {
 
@@ -24,7 +26,7 @@ std::vector<double> number_list(JsonObject& object, const std::string& key, std:
   if (array.size() < least || array.size() > most)
     throw_field_defect(object, key, std::to_string(array.size()) + " numbers long",
                        std::to_string(least) + " to " + std::to_string(most) + " numbers", "Correct the list");
-  const Eigen::VectorXd numbers = object.vector(key, static_cast<Eigen::Index>(array.size()));
+  const Eigen::VectorXd numbers = object.vector(key, as_index(array.size()));
   return {numbers.begin(), numbers.end()};
 }
 
@@ -45,7 +47,7 @@ NumberPairs pair_list(JsonObject& object, const std::string& key, double lowest,
   if (array.empty() || array.size() > most)
     throw_field_defect(object, key, std::to_string(array.size()) + " points long",
                        "1 to " + std::to_string(most) + " points [at, value]", "Correct the list");
-  const Eigen::MatrixXd rows = object.matrix(key, static_cast<Eigen::Index>(array.size()), 2);
+  const Eigen::MatrixXd rows = object.matrix(key, as_index(array.size()), 2);
   NumberPairs pairs;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const std::string row = key + "[" + std::to_string(i) + "]";

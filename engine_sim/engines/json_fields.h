@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The numbers of a structure and their keys in an engine file: one line a number, {key, member, range, unit}; reading,
 // validation and writing follow from it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/engines/jt9d.h"
 
 #include "engine_sim/engines/jt9d_maps.h"

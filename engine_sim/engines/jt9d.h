@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The JT9D-class engine of the public NPSS and T-MATS models. Units and sources: jt9d.cpp, constant by constant.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The control of the JT9D-class engine: limits, gains, schedules. Sources: jt9d_control.cpp, number by number.
 

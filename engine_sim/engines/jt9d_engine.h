@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The JT9D-class engine as a whole, compiled in: gas path, control and channels. deploy/engines/jt9d.json is its file.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Maps on which a component can run. At the break points of a fitted surface:
 //   compressor   flow grows with speed; along a speed line flow does not fall and pressure ratio ends lower than it begins;

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/engines/map_json.h"
 
 #include <string>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/json_fields.h"
 #include "engine_sim/engines/map_check.h"
 
@@ -25,8 +27,8 @@ constexpr NumberField<TurbineMapData> turbine_fields[] = {
 /// Row-major.
 std::vector<double> surface_from(JsonObject& object, const char* key, std::size_t row_breaks,
                                  std::size_t column_breaks) {
-  const Eigen::MatrixXd surface = object.matrix(key, static_cast<Eigen::Index>(row_breaks + basis_excess),
-                                                static_cast<Eigen::Index>(column_breaks + basis_excess));
+  const Eigen::MatrixXd surface =
+      object.matrix(key, as_index(row_breaks + basis_excess), as_index(column_breaks + basis_excess));
   std::vector<double> numbers;
   for (Eigen::Index i = 0; i < surface.rows(); ++i) {
     const Eigen::VectorXd row = surface.row(i);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Component maps in an engine file, as fitted surfaces (compressor_map.h, turbine_map.h):
 //   compressor   flow_exponent, pressure_exponent, last_r_line; speed_breaks, r_line_breaks; flow, pressure, efficiency:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A schedule of the control: one value over one measured quantity, linear between its points, held outside.
 // The points ascend strictly; there is one at least. Errors: none; NaN gives NaN. Real-time safe: yes.

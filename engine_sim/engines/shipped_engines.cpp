@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/engines/shipped_engines.h"
 
 #include "deploy/runtime/files/file_error.h"

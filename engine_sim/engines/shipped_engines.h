@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Engines by name: those that are compiled in, so that a name means the same engine on every machine. Their files are
 // deploy/engines/NAME.json.

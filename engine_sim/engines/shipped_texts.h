@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The shipped engine files as they were when the program was built (CMakeLists.txt writes the source).
 

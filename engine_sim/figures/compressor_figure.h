@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The picture of a compressor map in the engine's own coordinates: corrected flow and pressure ratio.
 //   Wc = s_wc WcMap lbm/s (here kg/s at 288.15 K and 14.696 psia);  PR = 1 + s_pr (PRmap - 1);  eff = s_eff effMap

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where the labels of contours go: for each level, of all places where it crosses a line of the grid, the one that is
 // farthest from the other labels and from what is drawn already. Distances are relative to the axes' spans and to the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The five pictures of an engine: which part of each map they show, and where a steady point lies on each.
 //   compressors: n = N/(sqrt(T/288.15 K) s_nc), T at the component's inlet;  turbines: N/(sqrt(T[R]) s_nc)

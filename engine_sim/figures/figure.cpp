@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/figures/figure.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One picture of a component map: the curves that it shows, as numbers, and the gnuplot script that draws them.
 // Its CSV has the columns kind, label and those of the figure; a number that a curve does not have is an empty cell.

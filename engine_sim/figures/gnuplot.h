@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // gnuplot as a program: the script goes in, the picture comes out.
 // Errors: @throws std::runtime_error if gnuplot is not installed or refuses the script (with its first message).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The operating line: steady points of the new engine from maximum power down to idle (ratings.h), on standard
 // geometry, in even steps of fan speed.

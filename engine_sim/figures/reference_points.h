@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Points of another model on the component maps, from a CSV with the columns <component>_WcMap, _PRmap, _effMap and
 // _NcMap of NPSS (component: Fan, LPC, HPC, HPT, LPT); coordinates and units of the unscaled maps. Rows whose column

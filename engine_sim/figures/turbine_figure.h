@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The picture of a turbine map in the engine's own coordinates, two panels over the expansion ratio: flow parameter
 // along lines of constant speed, and contours of efficiency over speed.

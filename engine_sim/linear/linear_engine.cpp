@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/linear/linear_engine.h"
 
-#include <Eigen/LU>
 #include <sstream>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/sensor_noise.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
 
@@ -23,8 +25,7 @@ std::vector<EngineChannel> described(const std::vector<linear_model::Channel>& c
 EngineChannels channels_of(const LinearModel& model) {
   EngineChannels c{model.engine_type,        model.sample_time_s,     described(model.controls),
                    described(model.sensors), described(model.health), described(model.auxiliary)};
-  for (std::size_t i = 0; i < c.sensors.size(); ++i)
-    c.sensors[i].sigma = linear_model::own_sigma(model, static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < c.sensors.size(); ++i) c.sensors[i].sigma = linear_model::own_sigma(model, as_index(i));
   return c;
 }
 
@@ -41,8 +42,7 @@ std::vector<Sensor> sensors_of(const LinearModel& model) {
 /// trim + deviation
 std::vector<double> absolute(const std::vector<EngineChannel>& channels, const VectorXd& deviation) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < channels.size(); ++i)
-    values.push_back(channels[i].trim + deviation(static_cast<Eigen::Index>(i)));
+  for (std::size_t i = 0; i < channels.size(); ++i) values.push_back(channels[i].trim + deviation(as_index(i)));
   return values;
 }
 
@@ -71,16 +71,14 @@ std::string LinearEngine::start_text() const {
 }
 
 VectorXd LinearEngine::health_deviation() const {
-  VectorXd h(static_cast<Eigen::Index>(channels_.health.size()));
-  for (std::size_t i = 0; i < channels_.health.size(); ++i)
-    h(static_cast<Eigen::Index>(i)) = health_of(i) - channels_.health[i].trim;
+  VectorXd h(as_index(channels_.health.size()));
+  for (std::size_t i = 0; i < channels_.health.size(); ++i) h(as_index(i)) = health_of(i) - channels_.health[i].trim;
   return h;
 }
 
 VectorXd LinearEngine::control_deviation() const {
-  VectorXd u(static_cast<Eigen::Index>(channels_.actuators.size()));
-  for (std::size_t i = 0; i < channels_.actuators.size(); ++i)
-    u(static_cast<Eigen::Index>(i)) = sum_of(control_changes_, i, time_s());
+  VectorXd u(as_index(channels_.actuators.size()));
+  for (std::size_t i = 0; i < channels_.actuators.size(); ++i) u(as_index(i)) = sum_of(control_changes_, i, time_s());
   return u;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // An engine that is known as a linear model only, in flight: the model's own equations with its own noise.
 //

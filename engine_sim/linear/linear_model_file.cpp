@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/linear/linear_model_file.h"
 
 #include "deploy/runtime/config/schema.h"

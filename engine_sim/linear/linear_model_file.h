@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The linear model that engine_sim flies: the file that tuner_design reads and writes (engine_sim/linear_model/model_file.h).
 

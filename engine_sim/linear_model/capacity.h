@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Capacities of one engine. Channels travel on the wire in arrays of a fixed length, which these are
 // (idl/engine_health.idl); the number of states is what a filter has room for.

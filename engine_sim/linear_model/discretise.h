@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Exact zero-order hold: health and actuators constant over one sample.
 //   exp( [A B L; 0 0 0; 0 0 0] T ) = [Ad Bd Ld; 0 I 0; 0 0 I]

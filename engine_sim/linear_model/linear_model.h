@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Linear point model of an engine ([SG] = Simon & Garg, NASA/TM-2010-216077, eq. 1), deviations from trim:
 //
@@ -15,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
+
 namespace ehm::linear_model {
 
 struct Channel {
@@ -25,8 +28,8 @@ struct Channel {
 
 /// Their trims, in their units.
 inline Eigen::VectorXd trims(const std::vector<Channel>& channels) {
-  Eigen::VectorXd trims(static_cast<Eigen::Index>(channels.size()));
-  for (std::size_t i = 0; i < channels.size(); ++i) trims(static_cast<Eigen::Index>(i)) = channels[i].trim;
+  Eigen::VectorXd trims(as_index(channels.size()));
+  for (std::size_t i = 0; i < channels.size(); ++i) trims(as_index(i)) = channels[i].trim;
   return trims;
 }
 

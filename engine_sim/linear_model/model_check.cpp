@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/linear_model/model_check.h"
 
-#include <Eigen/Eigenvalues>
 #include <complex>
 #include <set>
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/json_object.h"
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/scaling.h"
 
 namespace ehm::linear_model {
@@ -20,7 +22,7 @@ void check_length(const std::string& text, std::size_t most, const std::string& 
 
 void check_channels(const std::vector<Channel>& channels, const std::string& list, std::size_t least, int capacity,
                     const std::string& file) {
-  const auto most = static_cast<std::size_t>(capacity);
+  const auto most = as_size(capacity);
   if (channels.size() < least || channels.size() > most) {
     files::throw_defect(file, list, std::to_string(channels.size()) + " channels long",
                         std::to_string(least) + " to " + std::to_string(most) + " channels",
@@ -46,7 +48,7 @@ void check_channels(const std::vector<Channel>& channels, const std::string& lis
 
 void check_matrix(const Eigen::MatrixXd& matrix, const std::string& key, std::size_t rows, std::size_t cols,
                   const std::string& file) {
-  if (static_cast<std::size_t>(matrix.rows()) != rows || static_cast<std::size_t>(matrix.cols()) != cols) {
+  if (as_size(matrix.rows()) != rows || as_size(matrix.cols()) != cols) {
     files::throw_defect(file, key, std::to_string(matrix.rows()) + " x " + std::to_string(matrix.cols()),
                         std::to_string(rows) + " x " + std::to_string(cols),
                         "Check the matrix against the channel lists");
@@ -155,7 +157,7 @@ void check_optional(const Eigen::VectorXd& values, const LinearModel& model, con
 void check_health_sigma(const LinearModel& model, const std::string& file) {
   for (std::size_t i = 0; i < model.health.size(); ++i) {
     const bool fraction = model.health[i].unit == "fraction" || model.health[i].unit == "-";
-    const double most = fraction ? 1.0 : 100.0, sigma = model.health_sigma(static_cast<Eigen::Index>(i));
+    const double most = fraction ? 1.0 : 100.0, sigma = model.health_sigma(as_index(i));
     if (sigma <= most) continue;
     files::throw_defect(file, "health[" + std::to_string(i) + "].sigma", files::shown(sigma),
                         "at most " + files::shown(most), "Check its unit, " + model.health[i].unit);

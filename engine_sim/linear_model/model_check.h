@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a linear model must be before anything is computed from it. Shapes are in engine_sim/linear_model/linear_model.h.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Linear model file, JSON, schema "ehm-linear-model/1", also for users' own engines:
 //   name, time "continuous"|"discrete", sample_time_s; states, controls, health, sensors, auxiliary: arrays of

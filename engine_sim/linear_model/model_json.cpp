@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/linear_model/model_json.h"
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/model_check.h"
 #include "engine_sim/linear_model/model_file.h"
 #include "engine_sim/linear_model/sensor_noise.h"
@@ -13,7 +15,7 @@ std::vector<Channel> read_channels(files::JsonObject& object, const std::string&
                                    Eigen::VectorXd* sigma) {
   const files::Json& array = object.array(list);
   std::vector<Channel> channels;
-  if (sigma != nullptr) sigma->resize(static_cast<Eigen::Index>(array.size()));
+  if (sigma != nullptr) sigma->resize(as_index(array.size()));
   for (std::size_t i = 0; i < array.size(); ++i) {
     files::JsonObject entry(array[i], object.file(), object.key(list) + "[" + std::to_string(i) + "]");
     Channel channel;
@@ -21,7 +23,7 @@ std::vector<Channel> read_channels(files::JsonObject& object, const std::string&
     channel.unit = entry.text("unit");
     const bool trim_is_optional = list == "health";
     if (!trim_is_optional || entry.find("trim") != nullptr) channel.trim = entry.number("trim");
-    if (sigma_key != nullptr) (*sigma)(static_cast<Eigen::Index>(i)) = entry.number(sigma_key);
+    if (sigma_key != nullptr) (*sigma)(as_index(i)) = entry.number(sigma_key);
     if (list == "sensors") entry.find("resolution"), entry.find("update_period_s");  // read_optional's
     entry.refuse_unknown();
     channels.push_back(std::move(channel));
@@ -32,10 +34,10 @@ std::vector<Channel> read_channels(files::JsonObject& object, const std::string&
 /// What each sensor may state of itself; empty where none does. @returns its values, 0 where it does not.
 Eigen::VectorXd read_optional(files::JsonObject& object, const std::string& list, const char* key) {
   const files::Json& array = object.array(list);
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(array.size()));
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(as_index(array.size()));
   for (std::size_t i = 0; i < array.size(); ++i) {
     files::JsonObject entry(array[i], object.file(), object.key(list) + "[" + std::to_string(i) + "]");
-    if (entry.find(key) != nullptr) values(static_cast<Eigen::Index>(i)) = entry.positive_number(key);
+    if (entry.find(key) != nullptr) values(as_index(i)) = entry.positive_number(key);
   }
   return values.isZero(0.0) ? Eigen::VectorXd() : values;
 }
@@ -54,7 +56,7 @@ files::Json channels_to_json(const std::vector<Channel>& channels, const char* s
   files::Json array = files::Json::array();
   for (std::size_t i = 0; i < channels.size(); ++i) {
     files::Json entry{{"name", channels[i].name}, {"unit", channels[i].unit}, {"trim", channels[i].trim}};
-    if (sigma_key != nullptr) entry[sigma_key] = (*sigma)(static_cast<Eigen::Index>(i));
+    if (sigma_key != nullptr) entry[sigma_key] = (*sigma)(as_index(i));
     array.push_back(std::move(entry));
   }
   return array;
@@ -68,7 +70,7 @@ files::Json sensors_to_json(const LinearModel& model) {
       {"resolution", &model.sensor_resolution}, {"update_period_s", &model.sensor_update_period_s}};
   for (const auto& [key, values] : optional)
     for (Eigen::Index i = 0; i < values->size(); ++i)
-      if ((*values)(i) > 0.0) array[static_cast<std::size_t>(i)][key] = (*values)(i);
+      if ((*values)(i) > 0.0) array[as_size(i)][key] = (*values)(i);
   return array;
 }
 
@@ -82,9 +84,9 @@ bool read_time(files::JsonObject& object) {
 }
 
 void read_matrices(files::JsonObject& object, LinearModel& model) {
-  const auto n = static_cast<Eigen::Index>(model.states.size()), nu = static_cast<Eigen::Index>(model.controls.size());
-  const auto p = static_cast<Eigen::Index>(model.health.size()), m = static_cast<Eigen::Index>(model.sensors.size());
-  const auto r = static_cast<Eigen::Index>(model.auxiliary.size());
+  const auto n = as_index(model.states.size()), nu = as_index(model.controls.size());
+  const auto p = as_index(model.health.size()), m = as_index(model.sensors.size());
+  const auto r = as_index(model.auxiliary.size());
   model.A = object.matrix("A", n, n);
   model.B = object.matrix("B", n, nu);
   model.L = object.matrix("L", n, p);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // LinearModel as JSON: the content of a model file, and a part of a design file.
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/linear_model/scaling.h"
 
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/units/units.h"
 
 namespace ehm::linear_model {
@@ -63,19 +65,18 @@ double percent_of_trim(const Channel& channel, double without_trim) {
 }
 
 Scaling scaling_of(const LinearModel& model) {
-  const auto n = static_cast<Eigen::Index>(model.states.size());
-  const auto m = static_cast<Eigen::Index>(model.sensors.size());
-  const auto p = static_cast<Eigen::Index>(model.health.size());
-  const auto r = static_cast<Eigen::Index>(model.auxiliary.size());
+  const auto n = as_index(model.states.size());
+  const auto m = as_index(model.sensors.size());
+  const auto p = as_index(model.health.size());
+  const auto r = as_index(model.auxiliary.size());
   Scaling scaling{Eigen::VectorXd(n), Eigen::VectorXd(m), Eigen::VectorXd(p), Eigen::VectorXd(r), {}};
-  for (Eigen::Index i = 0; i < n; ++i)
-    scaling.state(i) = percent_of_trim(model.states[static_cast<std::size_t>(i)], 1.0);
+  for (Eigen::Index i = 0; i < n; ++i) scaling.state(i) = percent_of_trim(model.states[as_size(i)], 1.0);
   for (Eigen::Index i = 0; i < m; ++i) {
-    scaling.sensor(i) = percent_of_trim(model.sensors[static_cast<std::size_t>(i)], model.sensor_noise_sigma(i));
+    scaling.sensor(i) = percent_of_trim(model.sensors[as_size(i)], model.sensor_noise_sigma(i));
   }
-  for (Eigen::Index i = 0; i < p; ++i) scaling.health(i) = health_scale(model.health[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < p; ++i) scaling.health(i) = health_scale(model.health[as_size(i)]);
   for (Eigen::Index i = 0; i < r; ++i) {
-    const ReportingUnit unit = auxiliary_scale(model.auxiliary[static_cast<std::size_t>(i)]);
+    const ReportingUnit unit = auxiliary_scale(model.auxiliary[as_size(i)]);
     scaling.auxiliary(i) = unit.scale;
     scaling.auxiliary_unit.push_back(unit.name);
   }
@@ -83,7 +84,7 @@ Scaling scaling_of(const LinearModel& model) {
 }
 
 LinearModel scaled(const LinearModel& model, const Scaling& scaling) {
-  const Eigen::VectorXd one = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(model.controls.size()));
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(as_index(model.controls.size()));
   LinearModel result = model;
   result.A = rescaled(model.A, scaling.state, scaling.state);
   result.B = rescaled(model.B, scaling.state, one);
@@ -105,20 +106,20 @@ LinearModel scaled(const LinearModel& model, const Scaling& scaling) {
   if (model.sensor_resolution.size() > 0)
     result.sensor_resolution = model.sensor_resolution.cwiseQuotient(scaling.sensor);
   for (std::size_t i = 0; i < result.states.size(); ++i) {
-    result.states[i].trim /= scaling.state(static_cast<Eigen::Index>(i));
+    result.states[i].trim /= scaling.state(as_index(i));
     result.states[i].unit = size_of_trim(model.states[i]) > 0.0 ? "percent" : model.states[i].unit;
   }
   for (std::size_t i = 0; i < result.sensors.size(); ++i) {
-    result.sensors[i].trim /= scaling.sensor(static_cast<Eigen::Index>(i));
+    result.sensors[i].trim /= scaling.sensor(as_index(i));
     const bool percent = size_of_trim(model.sensors[i]) > 0.0 || in_percent(model.sensors[i]);
     result.sensors[i].unit = percent ? "percent" : "noise sigma";
   }
   for (std::size_t i = 0; i < result.health.size(); ++i) {
-    result.health[i].trim /= scaling.health(static_cast<Eigen::Index>(i));
+    result.health[i].trim /= scaling.health(as_index(i));
     result.health[i].unit = "percent";
   }
   for (std::size_t i = 0; i < result.auxiliary.size(); ++i) {
-    result.auxiliary[i].trim /= scaling.auxiliary(static_cast<Eigen::Index>(i));
+    result.auxiliary[i].trim /= scaling.auxiliary(as_index(i));
     result.auxiliary[i].unit = scaling.auxiliary_unit[i];
   }
   return result;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Scaled value = channel value / scale. Unscaled, the sensitivities span six decades; scaled they are of order one.
 //   states      percent of the trim; where it has no size: as it is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The noise that the filter counts with for a sensor that is rounded and that speaks more slowly than samples come:
 //

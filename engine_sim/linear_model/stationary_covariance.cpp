@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/linear_model/stationary_covariance.h"
 
-#include <Eigen/Eigenvalues>
 #include <sstream>
 #include <stdexcept>
+
+#include "deploy/runtime/numbers/decompositions.h"
 
 namespace ehm::linear_model {
 namespace {

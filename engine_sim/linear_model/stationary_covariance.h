@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Covariance X of the stationary process x[k+1] = A x[k] + w[k], cov(w) = Q: the solution of
 //

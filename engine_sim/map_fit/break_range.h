@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Break points must lie within the samples that they are fitted to: beyond, the coefficients would be extrapolation.
 

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/map_fit/checked_numbers.h"
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::engine_sim {
 
@@ -27,7 +29,7 @@ std::vector<double> ascending_numbers(files::JsonObject& object, const std::stri
     throw_defect(object.file(), object.key(key), std::to_string(count) + " numbers long",
                  std::to_string(least) + " to " + std::to_string(most) + " numbers", "Correct the list");
   }
-  const auto size = static_cast<Eigen::Index>(count);
+  const auto size = as_index(count);
   const Eigen::VectorXd numbers =
       one_row ? Eigen::VectorXd(object.matrix(key, 1, size).row(0)) : object.vector(key, size);
   for (Eigen::Index i = 0; i < size; ++i) {

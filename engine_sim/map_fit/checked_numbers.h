@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Numbers of a JSON file with their allowed range. Errors name file, key, value and range
 // (deploy/runtime/files/file_error.h).

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/map_fit/compressor_fit.h"
 
 #include <algorithm>
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/map_fit/break_range.h"
 #include "engine_sim/map_fit/deviation.h"
 #include "engine_sim/map_fit/fit_surface.h"
@@ -72,9 +74,9 @@ std::string deviation_text(const CompressorSettings& s, const CompressorFit& fit
   for (Eigen::Index i = 0; i < wc.rows(); ++i) {
     surge.add(100.0 * (fitted.surge_pressure_ratio(wc(i, 0)) / pr(i, 0) - 1.0));
     for (Eigen::Index j = 0; j < wc.cols(); ++j) {
-      const double r_line = table.r_line[static_cast<std::size_t>(j)];
+      const double r_line = table.r_line[as_size(j)];
       if (sample_weight(r_line, pr(i, j), eff(i, j)) < 1.0) continue;
-      const auto at = fitted.at(table.speed[static_cast<std::size_t>(i)], r_line);
+      const auto at = fitted.at(table.speed[as_size(i)], r_line);
       flow.add(100.0 * (at.flow / wc(i, j) - 1.0));
       pressure.add(100.0 * (at.pressure_ratio / pr(i, j) - 1.0));
       efficiency.add(100.0 * (at.efficiency - eff(i, j)));

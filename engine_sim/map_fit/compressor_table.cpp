@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/map_fit/compressor_table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::engine_sim {
 namespace {
@@ -13,7 +16,7 @@ using Eigen::MatrixXd;
 constexpr double extension_weight = 0.2;
 
 double at(const std::vector<double>& v, Index i) {
-  return v[static_cast<std::size_t>(i)];
+  return v[as_size(i)];
 }
 
 /// phi, psi, efficiency and weights of the samples of the table itself.
@@ -129,10 +132,10 @@ CompressorTable move_corner(const CompressorTable& table, const Corner& corner) 
                                 " is not an inner speed line of the table");
   }
   const double below = at(table.speed, kept - 2), highest = table.speed.back();
-  const auto added = static_cast<Index>(std::lround((highest - corner.moved_to) / step)) + 1;
+  const auto added = as_index(std::lround((highest - corner.moved_to) / step)) + 1;
 
   CompressorTable out = table;
-  out.speed.resize(static_cast<std::size_t>(kept));
+  out.speed.resize(as_size(kept));
   const Eigen::VectorXd share = Eigen::VectorXd::LinSpaced(added, 0.0, 1.0);
   for (const double s : share) out.speed.push_back(corner.moved_to + s * (highest - corner.moved_to));
   const auto moved = [&](const MatrixXd& z) {

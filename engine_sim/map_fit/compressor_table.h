@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A compressor map as a table on (speed n, R-line R), prepared for the fit of compressor_map.h:
 //   phi = Wc/n^a,  psi = ln((PR - 1)/n^b),  eff        rows: speeds, columns: R-lines

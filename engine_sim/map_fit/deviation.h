@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Largest and rms deviation of a fit from its samples, in the unit of what is added.
 

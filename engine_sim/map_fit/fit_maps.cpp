@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // fit_maps SETTINGS.json MAPS.json OUT_FOLDER: tables of an engine's maps -> smooth maps as C++ for its engine file.
 
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The command line of fit_maps: settings and map tables -> fitted maps as C++ source and header.
 // Exit codes: deploy/runtime/service/exit_code.h.

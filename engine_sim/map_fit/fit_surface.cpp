@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/map_fit/fit_surface.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/model/maps/spline.h"
 
 namespace ehm::engine_sim {
@@ -16,12 +18,11 @@ using engine_sim::SplineBasis;
 
 /// One row per sample, one column per basis function.
 Eigen::MatrixXd design_matrix(const SplineBasis& basis, std::span<const double> samples) {
-  Eigen::MatrixXd rows =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples.size()), static_cast<Eigen::Index>(basis.size()));
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(as_index(samples.size()), as_index(basis.size()));
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const BasisValues at = basis.at(samples[i]);
     for (std::size_t k = 0; k < 4; ++k) {
-      rows(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(at.first + k)) = at.b[k];
+      rows(as_index(i), as_index(at.first + k)) = at.b[k];
     }
   }
   return rows;
@@ -47,11 +48,11 @@ Eigen::MatrixXd kron(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 /// One row per point of the path: weighted second difference of the surface, for a row-major coefficient table.
 Eigen::MatrixXd bending(const SplineBasis& x, const SplineBasis& y, const StraightPath& path) {
-  const auto count = static_cast<Eigen::Index>(path.points.size());
-  Eigen::MatrixXd rows(count, static_cast<Eigen::Index>(x.size() * y.size()));
+  const auto count = as_index(path.points.size());
+  Eigen::MatrixXd rows(count, as_index(x.size() * y.size()));
   const double scale = path.weight / (path.step_y * path.step_y * std::sqrt(std::max(1.0, static_cast<double>(count))));
   for (Eigen::Index i = 0; i < count; ++i) {
-    const auto [at_x, at_y] = path.points[static_cast<std::size_t>(i)];
+    const auto [at_x, at_y] = path.points[as_size(i)];
     const auto row = [&, px = at_x, py = at_y](double steps) {
       const std::array places{px + steps * path.step_x, py + steps * path.step_y};
       return kron(design_matrix(x, {&places[0], 1}), design_matrix(y, {&places[1], 1}));
@@ -82,7 +83,7 @@ std::vector<double> solve(const Eigen::MatrixXd& samples, const Eigen::VectorXd&
 std::vector<double> fit_surface(std::span<const double> x, std::span<const double> y, const Eigen::MatrixXd& z,
                                 const Eigen::MatrixXd& weight, std::span<const double> x_breaks,
                                 std::span<const double> y_breaks, double smoothing, const StraightPath& path) {
-  const auto nx = static_cast<Eigen::Index>(x.size()), ny = static_cast<Eigen::Index>(y.size());
+  const auto nx = as_index(x.size()), ny = as_index(y.size());
   if (z.rows() != nx || z.cols() != ny || weight.rows() != nx || weight.cols() != ny) {
     throw std::invalid_argument("map fit: the table is not of the size of its coordinates");
   }
@@ -99,7 +100,7 @@ std::vector<double> fit_surface(std::span<const double> x, std::span<const doubl
 std::vector<double> fit_curve(std::span<const double> x, std::span<const double> z, std::span<const double> breaks,
                               double smoothing) {
   const Eigen::MatrixXd samples = design_matrix(SplineBasis(breaks), x);
-  const Eigen::VectorXd target = Eigen::Map<const Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+  const Eigen::VectorXd target = Eigen::Map<const Eigen::VectorXd>(z.data(), as_index(z.size()));
   return solve(samples, Eigen::VectorXd::Ones(target.size()), target,
                std::sqrt(smoothing) * third_difference(samples.cols()));
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Least-squares fit of a tensor-product cubic B-spline to a table z(x_i, y_j) with weights w_ij:
 //   minimise sum w_ij^2 (f(x_i, y_j) - z_ij)^2 + smoothing * (sum of squared third differences of c)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The fitted maps as C++: one source file with the coefficients, to nine digits, and one header with an accessor a map,
 // named as the map in lower case. Compiled into the program, because the engine model reads no file.

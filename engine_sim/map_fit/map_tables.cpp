@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/map_fit/map_tables.h"
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/map_fit/checked_numbers.h"
 
 namespace ehm::engine_sim {
@@ -34,7 +36,7 @@ MatrixXd table(JsonObject& map, const std::string& key, std::size_t speeds, cons
                  rows[i].is_array() ? std::to_string(rows[i].size()) + " numbers long" : shown(rows[i]),
                  std::to_string(columns.count) + " numbers", remedy);
   }
-  const MatrixXd z = map.matrix(key, static_cast<Index>(speeds), static_cast<Index>(columns.count));
+  const MatrixXd z = map.matrix(key, as_index(speeds), as_index(columns.count));
   for (Index i = 0; i < z.rows(); ++i) {
     for (Index j = 0; j < z.cols(); ++j) {
       if (z(i, j) >= low && z(i, j) <= high) continue;
@@ -49,7 +51,7 @@ MatrixXd table(JsonObject& map, const std::string& key, std::size_t speeds, cons
 /// of full weight on both of the highest speed lines.
 void check_unclipped(const CompressorTable& t, const JsonObject& map) {
   const auto weight = [&](Index i, Index j) {
-    return sample_weight(t.r_line[static_cast<std::size_t>(j)], t.pressure_ratio(i, j), t.efficiency(i, j));
+    return sample_weight(t.r_line[as_size(j)], t.pressure_ratio(i, j), t.efficiency(i, j));
   };
   const Index rows = t.flow.rows(), columns = t.flow.cols();
   bool edge = false;

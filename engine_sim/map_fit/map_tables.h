@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tables of a compressor or turbine map, read from the file of map tables. Keys, units, ranges: fit_settings.h.
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/map_fit/path_settings.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/map_fit/checked_numbers.h"
 
 namespace ehm::engine_sim {
@@ -23,7 +25,7 @@ std::vector<std::pair<double, double>> read_r_line_by_speed(JsonObject& object) 
     throw_defect(object.file(), object.key(name), std::to_string(list.size()) + " pairs long", "1 to 100 pairs [n, R]",
                  "Correct the list");
   }
-  const Eigen::MatrixXd pairs = object.matrix(name, static_cast<Eigen::Index>(list.size()), 2);
+  const Eigen::MatrixXd pairs = object.matrix(name, as_index(list.size()), 2);
   std::vector<std::pair<double, double>> points;
   for (const auto& pair : pairs.rowwise()) {
     if (!points.empty() && pair(0) <= points.back().first) {

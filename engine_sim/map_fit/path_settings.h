@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where a fitted surface is kept straight (StraightPath of fit_surface.h), as a compact description. One path starts on
 // each of the speeds n0 = speed_from, speed_from + speed_step, ... up to speed_to, at the R-line R0(n0), piecewise

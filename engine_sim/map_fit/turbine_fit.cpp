@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/map_fit/turbine_fit.h"
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/map_fit/break_range.h"
 #include "engine_sim/map_fit/deviation.h"
 #include "engine_sim/map_fit/fit_surface.h"
@@ -15,7 +17,7 @@ TurbineFit fit_turbine(const TurbineSettings& s, const TurbineTable& table) {
   // g = Wp / sqrt(1 - exp(-k (PR - 1)))
   Eigen::MatrixXd g = table.flow;
   for (Eigen::Index j = 0; j < g.cols(); ++j) {
-    const double pressure_ratio = p[static_cast<std::size_t>(j)];
+    const double pressure_ratio = p[as_size(j)];
     g.col(j) = g.col(j).array() / std::sqrt(1.0 - std::exp(-s.choking_rate * (pressure_ratio - 1.0)));
   }
   const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(g.rows(), g.cols());
@@ -33,8 +35,7 @@ std::string deviation_text(const TurbineSettings& s, const TurbineFit& fit, cons
   Deviation flow, efficiency;
   for (Eigen::Index i = 0; i < table.flow.rows(); ++i) {
     for (Eigen::Index j = 0; j < table.flow.cols(); ++j) {
-      const auto at =
-          fitted.at(table.speed[static_cast<std::size_t>(i)], table.pressure_ratio[static_cast<std::size_t>(j)]);
+      const auto at = fitted.at(table.speed[as_size(i)], table.pressure_ratio[as_size(j)]);
       flow.add(100.0 * (at.flow / table.flow(i, j) - 1.0));
       efficiency.add(100.0 * (at.efficiency - table.efficiency(i, j)));
     }

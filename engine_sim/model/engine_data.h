@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Everything that distinguishes one two-spool, separate-flow turbofan from another. SI unless a name says otherwise;
 // the maps and their scale factors keep the units of the maps (lbm/s, degrees Rankine, psia).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the engine model takes and gives, in SI units; stations are numbered as on the station diagram
 // (2 fan face, 13 bypass fan exit, 21 core fan exit, 24 LPC exit before the duct, 30 HPC exit, 40 burner exit,

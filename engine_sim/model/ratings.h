@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Idle and maximum power.
 //   maximum: max(T40/T40max, T48/T48max, P30/P30max, N1/N1max, N2/N2max, N1c/N1cmax, N2c/N2cmax) = 1

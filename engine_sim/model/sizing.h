@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From a design point to an engine: component pressure ratios and efficiencies, T40, bypass ratio, speeds and thrust
 // determine the flow, the turbines' expansion ratios, the map scale factors and the nozzle areas.

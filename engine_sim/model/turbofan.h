@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Gas path of a two-spool turbofan with separate exhausts (its station diagram is cycle() in turbofan.cpp).
 // At given spool speeds and fuel flow the six unknowns of flow_unknowns.h close six flow balances:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Conversions from the units of the maps and data sheets to SI, at the one border where they meet.
 // Source: exact definitions of the international pound, foot, inch and BTU (IT); slug from standard gravity.

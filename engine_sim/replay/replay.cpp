@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/replay/replay.h"
 
 #include <spdlog/spdlog.h>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/notify.h"
 #include "deploy/runtime/service/watchdog.h"
 #include "engine_sim/dds/wait_for_readers.h"
@@ -84,7 +86,7 @@ class Replay {
   struct Ends {
     explicit Ends(const SimConfig& config)
         : participant(config, "engine_sim replay"), sensors(participant), descriptions(participant) {
-      if (config.rate_factor() == 0.0) answers.emplace(participant, static_cast<std::size_t>(config.lockstep_window));
+      if (config.rate_factor() == 0.0) answers.emplace(participant, as_size(config.lockstep_window));
     }
     std::uint64_t unanswered() const { return answers ? answers->unanswered() : 0; }
     WatchedParticipant participant;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A recording or a CSV file on the wire again: the same engines, sequence numbers, time stamps and values, in the same
 // order, also what was malformed, duplicated or overtaken.

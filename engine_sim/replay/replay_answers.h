@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Rate max for a replay: at most `window` samples are without the monitor's answer, over all engines, so that keep-last
 // loses nothing. A sample that the recording monitor dropped has no answer and is not waited for. What is not answered
@@ -10,6 +11,7 @@
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 #include <map>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/dds/endpoint.h"
 
 namespace ehm::engine_sim {
@@ -52,7 +54,7 @@ class ReplayAnswers {
       auto& sequences = pending_[answer.engine_id()];
       const auto found = std::find(sequences.begin(), sequences.end(), answer.sequence_number());
       if (found == sequences.end()) continue;  // another monitor's, or given up
-      pending_total_ -= static_cast<std::size_t>(found - sequences.begin()) + 1;
+      pending_total_ -= as_size(found - sequences.begin()) + 1;
       sequences.erase(sequences.begin(), found + 1);
     }
   }

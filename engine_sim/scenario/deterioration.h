@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Health of the engine over time: initial wear, steady drift, and changes that a schedule or an operator brings.
 //

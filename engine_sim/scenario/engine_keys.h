@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The configuration keys that belong to the engine: engine.model, [sensors] and [control]. What is not given is what the
 // engine file says, so that a flight of another engine has that engine's limits and noise; the defaults that are printed

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The scheduled sensor faults of a flight, handed out as their time comes.
 

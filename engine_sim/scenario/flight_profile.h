@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Flight condition and demand at a time: linear between the points of the profile, held outside.
 

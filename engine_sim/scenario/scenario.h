@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What one simulated flight is: condition and demand over time, wear, faults, sensors, seed. Plain data in SI units;
 // scenario_file.h reads it from TOML.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/scenario/scenario_file.h"
 
 #include <algorithm>
@@ -5,6 +6,7 @@
 #include <stdexcept>
 
 #include "deploy/runtime/config/table_reader.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear/linear_model_file.h"
 #include "engine_sim/linear/linear_scenario.h"
 #include "idl/fault_names.h"
@@ -62,7 +64,7 @@ Names names_of(SimConfig& c) {
 
 /// Which of `names` the key names.
 std::size_t index_of(TableReader& t, const std::string& key, const std::vector<std::string>& names) {
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), t.choice(key, names)) - names.begin());
+  return as_size(std::find(names.begin(), names.end(), t.choice(key, names)) - names.begin());
 }
 
 void for_each_table(const std::string& file, const std::string& name, const toml::array& array,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The scenario file (TOML) and everything else that configures engine_sim, through the one schema.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One sensor: lag -> fault -> noise -> quantisation -> holding, in the order in which a real channel does it.
 //
@@ -13,7 +14,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine_sim/sensors/noise_source.h"
+#include "deploy/runtime/numbers/noise_source.h"
 
 namespace ehm::engine_sim {
 

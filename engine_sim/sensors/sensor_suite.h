@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The sensors of the engine that flies, in the order of its file, which is that of the wire.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What everything in idl/dds throws: the message names the file, profile, topic or entity that could not be had.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A participant opens some thirty sockets and pipes, and Fast DDS 2.9.1 says nothing where it gets none: the process
 // would be ready, and deaf. So it is looked beforehand whether there are enough.

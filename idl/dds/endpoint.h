@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Writer<T> and Reader<T>: one topic each, with the delivery of idl/topics.h.
 //

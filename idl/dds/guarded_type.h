@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A generated type whose deserialisation refuses what is not of the type, puts right what no sample may bring along
 // (tidy.h), and never throws: the generated code lets

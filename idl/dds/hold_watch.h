@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Notices that the process was held up: stopped by a signal or a debugger, or the whole machine suspended.
 //

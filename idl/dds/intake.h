@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What has come in on one topic, counted where it comes in: the writers that have been read, and the messages that
 // could not be.

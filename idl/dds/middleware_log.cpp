@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "idl/dds/middleware_log.h"
 
 #include <fastdds/dds/log/Log.hpp>

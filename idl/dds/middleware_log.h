@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What Fast DDS itself logs, handed to us instead of its standard error. Its logging is one a process.
 

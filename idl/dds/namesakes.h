@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Tells of other participants that call themselves as we do: two services that were given one identity. Under shared
 // ownership nothing else shows it, and their estimates mix.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "idl/dds/participant.h"
 
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A DDS participant of this project and its endpoints, as owners: what is created is deleted, in the right order.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A remote participant in words, as far as it announces itself: name and address.
 

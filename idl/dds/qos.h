@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The project's delivery classes as DDS policies, one place for both services, the demo and the examples.
 //

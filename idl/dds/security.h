@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // DDS Security from one directory of files, as deploy/security/make_security.sh makes it: who a participant is
 // (identity_ca.pem, cert.pem, key.pem), what it may (permissions_ca.pem, governance.p7s, permissions.p7s), and whose

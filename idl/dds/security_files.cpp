@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "idl/dds/security_files.h"
 
 #include <openssl/bio.h>

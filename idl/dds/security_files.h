@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Are the files of an identity what they should be, and do they belong together? Everything that DDS Security would
 // find out later, without the name of a file: a certificate outside its time, a key of another certificate, an

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Knows which participants of a secured domain have proven who they are, and tells of those that have not.
 //

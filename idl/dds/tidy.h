@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a sample that has just come in may not bring along, put right once, before anybody looks at it:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "idl/dds/unreadable_peers.h"
 
 #include <algorithm>
@@ -49,7 +50,8 @@ void UnreadablePeers::expect(Side remote, const std::string& topic, const std::s
   {
     const std::lock_guard lock(mutex_);
     wanted_[{remote, topic}] = {type, keyed, bytes};
-    for (auto& [guid, endpoint] : endpoints_) judge(guid, endpoint, texts);  // discovery may have been faster than we
+    for (auto& [guid, endpoint] : endpoints_)
+      classify(guid, endpoint, texts);  // discovery may have been faster than we
   }
   say(texts);
 }
@@ -89,7 +91,7 @@ void UnreadablePeers::add(const Guid& guid, Endpoint endpoint) {
     const std::lock_guard lock(mutex_);
     if (endpoints_.size() >= capacity) return;
     Endpoint& known = endpoints_[guid] = std::move(endpoint);
-    judge(guid, known, texts);
+    classify(guid, known, texts);
   }
   say(texts);
 }
@@ -111,7 +113,7 @@ void UnreadablePeers::remove_all_of(const Prefix& participant) {
   say_if_none_is_left();
 }
 
-void UnreadablePeers::judge(const Guid& guid, Endpoint& e, Texts& texts) {
+void UnreadablePeers::classify(const Guid& guid, Endpoint& e, Texts& texts) {
   const auto ours = wanted_.find({e.side, e.topic});
   if (e.told || ours == wanted_.end()) return;
   const Wanted& w = ours->second;

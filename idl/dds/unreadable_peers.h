@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Remote endpoints of our topics that no data can ever pass to or from, and why. The middleware passes over them in
 // silence (Fast DDS 2.9.1: no status, no log line), so they are told of here, once each:
@@ -73,7 +74,7 @@ class UnreadablePeers {
   void add(const Guid& guid, Endpoint endpoint);
   void remove(const Guid& guid);
   void remove_all_of(const Prefix& participant);
-  void judge(const Guid& guid, Endpoint& endpoint, Texts& texts);
+  void classify(const Guid& guid, Endpoint& endpoint, Texts& texts);
   void name_misfits(const std::string& topic, const Intake& intake, Texts& texts);
   std::string owner(const Guid& guid) const;
   void say(const Texts& texts) const;

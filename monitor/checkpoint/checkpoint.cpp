@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/checkpoint/checkpoint.h"
 
 #include <limits>
@@ -5,6 +6,7 @@
 #include "deploy/runtime/files/content_hash.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/json_object.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::monitor {
 
@@ -38,20 +40,20 @@ Integer integer(JsonObject& object, const std::string& name, Integer min, Intege
 
 Eigen::Index length(JsonObject& object, const std::string& name, int max) {
   const Json& value = object.array(name);
-  if (value.empty() || value.size() > static_cast<std::size_t>(max))
+  if (value.empty() || value.size() > as_size(max))
     files::throw_defect(object.file(), object.key(name), std::to_string(value.size()) + " long",
                         "1 to " + std::to_string(max), remedy);
-  return static_cast<Eigen::Index>(value.size());
+  return as_index(value.size());
 }
 
 /// As many columns as the first row has.
 Eigen::MatrixXd matrix(JsonObject& object, const std::string& name, Eigen::Index rows, int max_columns) {
   const Json& first = object.array(name);
   const std::size_t columns = first.empty() || !first[0].is_array() ? 0 : first[0].size();
-  if (columns > static_cast<std::size_t>(max_columns))
+  if (columns > as_size(max_columns))
     files::throw_defect(object.file(), object.key(name), std::to_string(columns) + " columns wide",
                         "at most " + std::to_string(max_columns), remedy);
-  return object.matrix(name, rows, static_cast<Eigen::Index>(columns));
+  return object.matrix(name, rows, as_index(columns));
 }
 
 /// A larger number is no state of any filter, and would make the next one infinite.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One engine's checkpoint: the state of its cycle, and to which engine, design and moment it belongs.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The folder with one checkpoint file per engine, and what of it may be resumed at start.
 

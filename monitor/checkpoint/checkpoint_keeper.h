@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The cycle thread's side of checkpoints: resumes an engine at its first sample, and hands over its state every period.
 //

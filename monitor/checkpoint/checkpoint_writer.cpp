@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/checkpoint/checkpoint_writer.h"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Writes checkpoints on a thread of its own. The cycle thread hands over plain copies through a bounded queue; when
 // that is full the checkpoint is due again at the next turn, so a slow disk makes checkpoints rarer and nothing else.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One bad word among the flight condition and the actuators: not finite, or a jump that no aircraft or actuator makes
 // in the time since the last good word,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Innovation gate with a chi-square meaning: ratio_i = nu_i^2 / (gate^2 S_ii), closed above 1. With gate = 5 a healthy
 // value of one degree of freedom exceeds it once in 1.7 million.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From single bad values to a verdict on the sensor, with hysteresis and requalification time:
 //

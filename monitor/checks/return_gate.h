@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // May an excluded sensor come back? Its value must fit what the filter predicts without it.
 //

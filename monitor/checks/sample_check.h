@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Is this sample usable at all, and where does it belong in time? Order and steps come from the sequence number
 // (sequence_order.h); the source's stamps only measure, and are never compared with our clock (source_clock.h).

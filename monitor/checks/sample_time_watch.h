@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does the source keep the design's sample time? Over blocks of 64 sample times the mean of dt / steps, by the source's
 // clock, must lie within 10 % of it; a source of another rate makes every time constant of the filter wrong, and its
@@ -24,7 +25,7 @@ class SampleTimeWatch {
   explicit SampleTimeWatch(double sample_time_s) : sample_time_s_(sample_time_s) {}
 
   /// True while the sample time is right.
-  bool judge(const SampleDecision& decision, EventList& events) noexcept {
+  bool check(const SampleDecision& decision, EventList& events) noexcept {
     if (decision.verdict != SampleVerdict::accepted) {
       begin_block();
       return !condition_.raised();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Somebody else sends samples of the engine that a source already serves: said once, and ended once nobody else has for
 // 3 s of the source that is followed, by its sample times, or when that one has fallen silent. Real-time safe: yes.

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/checks/sensor_check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "engine_sim/linear_model/sensor_noise.h"
 #include "idl/wire_values.h"
@@ -35,7 +37,7 @@ void require_known(const std::vector<SensorOptions>& sensors, const linear_model
 
 SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
                        const linear_model::LinearModel& model, std::size_t sensor) {
-  const auto i = static_cast<Eigen::Index>(sensor);
+  const auto i = as_index(sensor);
   SensorKind kind{.noise_sigma = linear_model::own_sigma(model, i),
                   .resolution = linear_model::resolution(model, i),
                   .update_samples = 0,
@@ -58,7 +60,7 @@ SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOp
   const Eigen::VectorXd spread = (estimation::steady_gain(model).H * model.health_sigma.asDiagonal()).rowwise().norm();
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
     trim_.push_back(model.sensors[i].trim);
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = as_index(i);
     percent_.push_back(std::max({linear_model::percent_of_trim(model.sensors[i], 0.0), model.sensor_noise_sigma(at),
                                  spread(at) / spreads_of_range}));
     const SensorKind kind = sensor_kind(options, sensors, model, i);
@@ -69,7 +71,7 @@ SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOp
 }
 
 std::uint32_t SensorCheck::reasons(const Sample& sample, int sensor, int steps) noexcept {
-  const auto i = static_cast<std::size_t>(sensor);
+  const auto i = as_size(sensor);
   Memory& memory = memory_[i];
   StuckWatch& stuck = stuck_[i];
   const double value = sample.sensor[i];

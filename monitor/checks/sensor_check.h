@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What one sensor's value tells by itself, before any model is asked: validity bit, finite, range, rate, and beside its
 // last ones stuck or held (stuck_watch.h), or without its noise (quiet_watch.h).
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/linear_model.h"
 #include "monitor/checks/quiet_watch.h"
 #include "monitor/checks/stuck_watch.h"
@@ -30,12 +32,10 @@ class SensorCheck {
   /// Another source or time: nothing is compared with what came before.
   void reset() noexcept;
 
-  const StuckWatch& stuck(int sensor) const noexcept { return stuck_[static_cast<std::size_t>(sensor)]; }
-  const QuietWatch& quiet(int sensor) const noexcept { return quiet_[static_cast<std::size_t>(sensor)]; }
+  const StuckWatch& stuck(int sensor) const noexcept { return stuck_[as_size(sensor)]; }
+  const QuietWatch& quiet(int sensor) const noexcept { return quiet_[as_size(sensor)]; }
   /// Samples for which a sensor holds each value without the design knowing; 1 for most.
-  std::int64_t untold_hold(int sensor) const noexcept {
-    return told_[static_cast<std::size_t>(sensor)] ? 1 : stuck(sensor).hold();
-  }
+  std::int64_t untold_hold(int sensor) const noexcept { return told_[as_size(sensor)] ? 1 : stuck(sensor).hold(); }
 
  private:
   struct Memory {

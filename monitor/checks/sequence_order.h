@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where a sequence number stands: so many samples ahead of the last one, or so many behind it.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does the source's sequence number grow? A duplicate that the network made is the same to the bit. A sample that
 // carries the number of the one before with another stamp or other values is a new one whose number stood still: it is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How much time has passed by a source's stamps. They only measure; order comes from the sequence number.
 //

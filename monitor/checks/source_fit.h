@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How the channels that a source describes fit the design's, and its values as the design's: the same unit, another one
 // of the same quantity (converted), or a channel that must not be used.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Do the source's stamps measure time? One that is not set (0), repeats the one before, or steps back says no: said
 // once, with the reason of the first, and ended after 10 s of good stamps. Each return doubles these 10 s, up to an
@@ -17,7 +18,7 @@ class StampWatch {
  public:
   explicit StampWatch(double sample_time_s) : sample_time_s_(sample_time_s) {}
 
-  void judge(const SampleDecision& decision, EventList& events) noexcept {
+  void check(const SampleDecision& decision, EventList& events) noexcept {
     if (decision.verdict != SampleVerdict::accepted) return;
     if (decision.stamp != StampState::good) {
       if (!condition_.raised() && told_before_) calm_s_ = std::min(longest_calm_s, 2.0 * calm_s_);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Is a sensor frozen? Told by values that repeat to the last bit, more of them than a healthy sensor of its kind shows.
 //

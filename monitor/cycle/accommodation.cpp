@@ -1,4 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/accommodation.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::monitor {
 
@@ -12,7 +14,7 @@ int excluded_sensors(const TunerEstimator& watch, const SensorSupervision& super
   const estimation::TunerFilterModel& model = watch.filter().model();
   int excluded = 0;
   for (Eigen::Index i = 0; i < model.D.rows(); ++i)
-    if (model.full.sensors[static_cast<std::size_t>(i)] && supervision.excluded(static_cast<int>(i)))
+    if (model.full.sensors[as_size(i)] && supervision.excluded(static_cast<int>(i)))
       ++excluded, last = static_cast<int>(i);
   return excluded;
 }
@@ -57,12 +59,12 @@ void Accommodation::respond(const Verdict& verdict, TunerEstimator& watch, Fault
   if (missing_ >= 0) exclude(missing_, verdict.fault, watch, detection);
 }
 
-int Accommodation::judge_return(const TunerEstimator& watch, estimation::SensorMask plausible, bool shifted,
+int Accommodation::check_return(const TunerEstimator& watch, estimation::SensorMask plausible, bool shifted,
                                 double gate_sigma, estimation::SensorVector& ratio) noexcept {
   const int missing = watch.filter().sensor_set().missing();
   // Without a design there is no prediction worth comparing with: the checks alone requalify.
   if (!have_design_ || missing < 0) return -1;
-  const bool here = plausible[static_cast<std::size_t>(missing)];
+  const bool here = plausible[as_size(missing)];
   const double innovation = watch.innovation().value(missing);
   return_gate_.step(sample_time_s_);
   if (here) return_gate_.observe(innovation);
@@ -127,7 +129,7 @@ void Accommodation::readmit(TunerEstimator& watch, FaultDetection& detection) no
 void Accommodation::forget(EventList& events) noexcept {
   gated_sensor_ = -1;
   have_design_ = true;
-  no_design_.judge_anew(idl::EventKind::no_design, 0, events);
+  no_design_.reassess(idl::EventKind::no_design, 0, events);
 }
 
 void Accommodation::resume(int missing, const ReturnGate::Memory& memory) noexcept {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Fault accommodation: what the watch filter flies with. It takes the design for the sensors that are left, subtracts
 // what a named fault has put into the estimate, and judges whether a sensor that was left out fits again before it
@@ -30,7 +31,7 @@ class Accommodation {
 
   /// Judges the value of the sensor that is left out against its prediction, if it is plausible by itself, and writes
   /// its ratio. Returns it if it must stay out, else -1.
-  int judge_return(const estimation::TunerEstimator& watch, estimation::SensorMask plausible, bool shifted,
+  int check_return(const estimation::TunerEstimator& watch, estimation::SensorMask plausible, bool shifted,
                    double gate_sigma, estimation::SensorVector& ratio) noexcept;
 
   /// Nothing is known of any sensor.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The estimators that fly beside the watch filter: the published one, where that is another, and the shadows. They get
 // each sample with the sensors that the watch filter fuses, so that what is published changes nothing in what is found.

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // What happens to a cycle beside its samples: starts, ends, silence, what it withholds. Real-time safe: yes, all of it.
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 #include "monitor/cycle/monitor_cycle.h"
 
@@ -51,7 +53,7 @@ void MonitorCycle::retire() noexcept {
 bool MonitorCycle::usable(const Sample& sample) const noexcept {
   if (intake_.malformed(sample)) return false;
   for (int i = 0; i < sensors_; ++i)
-    if (sample.sensor_valid >> i & 1u && std::isfinite(sample.sensor[static_cast<std::size_t>(i)])) return true;
+    if (sample.sensor_valid >> i & 1u && std::isfinite(sample.sensor[as_size(i)])) return true;
   return false;
 }
 
@@ -64,7 +66,7 @@ bool MonitorCycle::no_input(double age_s) noexcept {
 
 estimation::Conditions MonitorCycle::conditions_of(const Sample& sample) const noexcept {
   estimation::Conditions conditions{sample.flight, estimation::ActuatorVector(actuators_)};
-  for (int i = 0; i < actuators_; ++i) conditions.actuators(i) = sample.actuator[static_cast<std::size_t>(i)];
+  for (int i = 0; i < actuators_; ++i) conditions.actuators(i) = sample.actuator[as_size(i)];
   return conditions;
 }
 
@@ -81,8 +83,8 @@ void MonitorCycle::withhold() noexcept {
   result_.fused.reset();
   result_.rejected.reset();
   for (int i = 0; i < sensors_; ++i) {
-    result_.rejected.set(static_cast<std::size_t>(i));
-    result_.reason[static_cast<std::size_t>(i)] |= reason::withheld;
+    result_.rejected.set(as_size(i));
+    result_.reason[as_size(i)] |= reason::withheld;
   }
   result_.flags = estimate_flags();
 }
@@ -93,7 +95,7 @@ std::uint32_t MonitorCycle::estimate_flags() const noexcept {
   if (!watch_.estimate().settled) flags |= flag::converging;
   estimation::SensorMask served = result_.fused;
   for (int i = 0; i < sensors_; ++i)
-    if (result_.reason[static_cast<std::size_t>(i)] == reason::repeated) served.set(static_cast<std::size_t>(i));
+    if (result_.reason[as_size(i)] == reason::repeated) served.set(as_size(i));
   const estimation::SensorMask in_use = watch_.filter().sensors();
   if ((served & in_use) != in_use || intake_.replaced() > 0) flags |= flag::bridging;
   if (!watch_.filter().sensor_set().is_full()) flags |= flag::degraded;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the data path gives for one sample that was in order, and what it has counted since it was made. Plain data.
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/cycle_state.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 #include "monitor/cycle/monitor_cycle.h"
 
@@ -38,7 +40,7 @@ bool MonitorCycle::snapshot(CycleState& state) const noexcept {
   state.estimate = watch_.filter().estimate();
   state.error = watch_.error_state();
   state.excluded.reset();
-  for (int i = 0; i < sensors_; ++i) state.excluded[static_cast<std::size_t>(i)] = supervision_.excluded(i);
+  for (int i = 0; i < sensors_; ++i) state.excluded[as_size(i)] = supervision_.excluded(i);
   state.return_gate = accommodation_.memory();
   return true;
 }
@@ -51,7 +53,7 @@ Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, dou
   const Eigen::Index settling = detection_.detector().signatures().settling_samples;
   detection_.resume(state.missing_sensor, std::max<Eigen::Index>(state.error.remaining, settling / 3));
   for (int i = 0; i < sensors_; ++i) {
-    if (!state.excluded[static_cast<std::size_t>(i)]) continue;
+    if (!state.excluded[as_size(i)]) continue;
     supervision_.exclude(
         i, {.kind = idl::EventKind::sensor_fault, .channel = static_cast<std::uint32_t>(i), .detail = reason::excluded},
         events_);
@@ -60,8 +62,7 @@ Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, dou
   // than the filter needs to settle makes no difference.
   now_ = conditions_of(next);
   for (int i = 0; i < actuators_; ++i)
-    if (!std::isfinite(now_.actuators(i)))
-      now_.actuators(i) = design_->model.controls[static_cast<std::size_t>(i)].trim;
+    if (!std::isfinite(now_.actuators(i))) now_.actuators(i) = design_->model.controls[as_size(i)].trim;
   before_ = now_;
   watch_.fly_blind(now_.actuators, std::min<std::uint64_t>(next_is.ahead - 1, watch_.settling_samples()));
   return Resumption::taken;

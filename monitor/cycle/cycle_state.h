@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a MonitorCycle needs to go on where another one of the same design stopped: for a checkpoint, and for a change
 // of options in flight. Plain data within fixed capacity; copying allocates nothing.

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/fault_detection.h"
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 
 namespace ehm::monitor {
@@ -20,14 +22,14 @@ FaultDetection::FaultDetection(const CycleOptions& options, const PreparedDesign
       shift_(options.shift, *prepared.design, prepared.shift),
       slow_bias_(options.faults, prepared.slow_bias) {}
 
-Verdict FaultDetection::judge(const estimation::TunerEstimator& watch, bool has_design, int steps,
-                              SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept {
+Verdict FaultDetection::diagnose(const estimation::TunerEstimator& watch, bool has_design, int steps,
+                                 SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept {
   const estimation::TunerFilter& filter = watch.filter();
   const bool all_sensors = filter.sensor_set().is_full(), settled = watch.estimate().settled;
   const bool slow_start = supervision.hold() > 1 && !settled;
   estimation::SensorMask present;
   for (Eigen::Index i = 0; i < result.innovation.size(); ++i)
-    present[static_cast<std::size_t>(i)] = (result.reason[static_cast<std::size_t>(i)] & ~reason::innovation_gate) == 0;
+    present[as_size(i)] = (result.reason[as_size(i)] & ~reason::innovation_gate) == 0;
   present &= filter.sensors();
   ungated_.step(filter, present, result.fused);
   Verdict verdict;
@@ -39,8 +41,8 @@ Verdict FaultDetection::judge(const estimation::TunerEstimator& watch, bool has_
     return verdict;
   }
   const bool wait = detector_.pending() || ambiguous_.raised() || verdict.fault.kind != FaultKind::none || slow_start;
-  shift_.judge(filter.tuners(), filter.sensor_set().missing(), wait, events);
-  if (all_sensors && settled) slow_bias_.judge(filter.tuners(), events);
+  shift_.check(filter.tuners(), filter.sensor_set().missing(), wait, events);
+  if (all_sensors && settled) slow_bias_.check(filter.tuners(), events);
   return verdict;
 }
 
@@ -98,7 +100,7 @@ Verdict FaultDetection::declare_sensor(const FaultVerdict& fault, bool all_senso
     return {fault, true};
   }
   supervision.exclude(fault.channel, event, events);
-  result.reason[static_cast<std::size_t>(fault.channel)] |= why | reason::excluded;
+  result.reason[as_size(fault.channel)] |= why | reason::excluded;
   return {fault, false};
 }
 
@@ -117,7 +119,7 @@ void FaultDetection::restart(int missing, EventList& events) noexcept {
   ungated_.reset();
   shift_.reset();
   slow_bias_.reset(events);
-  ambiguous_.judge_anew(idl::EventKind::ambiguous_fault, ambiguous_channel_, events);
+  ambiguous_.reassess(idl::EventKind::ambiguous_fault, ambiguous_channel_, events);
 }
 
 void FaultDetection::resume(int missing, Eigen::Index deaf_samples) noexcept {

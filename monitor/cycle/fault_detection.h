@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The last station of the data path: what the estimates of a sample mean. Names abrupt faults of sensors and
 // components, shifts of health, slow bias of a sensor. It leaves the sample's estimates alone; what it decides about a
@@ -11,11 +12,11 @@
 #include "monitor/cycle/sensor_supervision.h"
 #include "monitor/data/events.h"
 #include "monitor/data/options.h"
+#include "monitor/diagnosis/fault_detector.h"
+#include "monitor/diagnosis/shift_detector.h"
+#include "monitor/diagnosis/slow_bias.h"
+#include "monitor/diagnosis/ungated_filter.h"
 #include "monitor/estimation/tuner_estimator.h"
-#include "monitor/judge/fault_detector.h"
-#include "monitor/judge/shift_detector.h"
-#include "monitor/judge/slow_bias.h"
-#include "monitor/judge/ungated_filter.h"
 
 namespace ehm::monitor {
 
@@ -31,8 +32,8 @@ class FaultDetection {
 
   /// Judges the sample that `watch` was last updated with, `steps` sample times after the one before; adds the reasons
   /// of a sensor that it names. With `has_design` false the estimates mean nothing.
-  Verdict judge(const estimation::TunerEstimator& watch, bool has_design, int steps, SensorSupervision& supervision,
-                CycleResult& result, EventList& events) noexcept;
+  Verdict diagnose(const estimation::TunerEstimator& watch, bool has_design, int steps, SensorSupervision& supervision,
+                   CycleResult& result, EventList& events) noexcept;
 
   /// The watch filter starts cold, without sensor `missing` (-1: with all).
   void restart(int missing, EventList& events) noexcept;

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/monitor_cycle.h"
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 #include "monitor/checks/innovation_gate.h"
 
@@ -40,7 +42,7 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
 
   const bool was_valid = valid_;
   const bool usable = intake_.usable(decision, events_);
-  valid_ = validity_.judge(watch_.distance(now_), events_) && usable;
+  valid_ = validity_.check(watch_.distance(now_), events_) && usable;
   if (!valid_) {
     withhold();
     return true;
@@ -75,21 +77,21 @@ void MonitorCycle::fuse(bool has_design) noexcept {
   const GateDecision gate =
       innovation_gate(result_.innovation, result_.innovation_variance, plausible & in_use, gate_sigma);
   result_.ratio = gate.ratio;
-  const int held_back = accommodation_.judge_return(watch_, plausible, detection_.shifted(), gate_sigma, result_.ratio);
+  const int held_back = accommodation_.check_return(watch_, plausible, detection_.shifted(), gate_sigma, result_.ratio);
   supervision_.gate(gate,
                     {.held_back = held_back, .suspect = detection_.suspect(), .detector_listens = detection_.listens()},
                     result_);
   supervision_.qualify(detection_.listens(), result_, counters_, events_);
 
   for (int i = 0; i < sensors_; ++i) {
-    const auto s = static_cast<std::size_t>(i);
+    const auto s = as_size(i);
     result_.fused[s] = result_.reason[s] == 0 && in_use[s];
     result_.rejected[s] = !result_.fused[s];
   }
   watch_.update(result_.fused, supervision_.hold());
   companions_.update(supervision_.values(), now_, result_.fused, supervision_.hold());
   if (!has_design) return;
-  fleet_.judge(watch_.estimate().tuners, watch_.estimate().health, watch_.filter().sensor_set().missing(), events_);
+  fleet_.check(watch_.estimate().tuners, watch_.estimate().health, watch_.filter().sensor_set().missing(), events_);
   watch_.widen(fleet_.excess());
   companions_.widen(fleet_.excess());
 }
@@ -100,15 +102,15 @@ void MonitorCycle::conclude(bool has_design) noexcept {
   result_.estimates = has_design && !fleet_.withheld();
   ++(result_.estimates ? counters_.processed : counters_.withheld);
   if (!result_.estimates)
-    for (int i = 0; i < sensors_; ++i) result_.reason[static_cast<std::size_t>(i)] |= reason::withheld;
+    for (int i = 0; i < sensors_; ++i) result_.reason[as_size(i)] |= reason::withheld;
   result_.flags = estimate_flags();
 }
 
-void MonitorCycle::judge() noexcept {
+void MonitorCycle::diagnose() noexcept {
   if (!valid_) return;
   const bool has_design = accommodation_.has_design();
-  verdict_ = detection_.judge(watch_, has_design, steps_, supervision_, result_, events_);
-  if (has_design) limits_.judge(result_.estimate.health, result_.estimate.auxiliary, events_);
+  verdict_ = detection_.diagnose(watch_, has_design, steps_, supervision_, result_, events_);
+  if (has_design) limits_.check(result_.estimate.health, result_.estimate.auxiliary, events_);
 }
 
 }  // namespace ehm::monitor

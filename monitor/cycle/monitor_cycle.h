@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // THE data path of one engine: one sample in, one result out.
 //
@@ -16,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/checks/validity.h"
 #include "monitor/cycle/accommodation.h"
 #include "monitor/cycle/companion_estimators.h"
@@ -26,9 +28,9 @@
 #include "monitor/cycle/sample_intake.h"
 #include "monitor/cycle/sensor_supervision.h"
 #include "monitor/data/options.h"
+#include "monitor/diagnosis/fleet_watch.h"
+#include "monitor/diagnosis/limit_watch.h"
 #include "monitor/estimation/tuner_estimator.h"
-#include "monitor/judge/fleet_watch.h"
-#include "monitor/judge/limit_watch.h"
 
 namespace ehm::monitor {
 
@@ -45,13 +47,13 @@ class MonitorCycle {
   /// result stands. Real-time safe: yes.
   bool process(const Sample& sample) noexcept {
     const bool taken = estimate(sample);
-    if (taken) judge();
+    if (taken) diagnose();
     return taken;
   }
   /// Its first part: the estimates, their flags, and everything of the result but the reasons that judging adds.
   bool estimate(const Sample& sample) noexcept;
   /// Its second part, for a sample that was in order: faults, shifts, limits. Leaves the estimates alone.
-  void judge() noexcept;
+  void diagnose() noexcept;
   /// Could a filter begin with this sample: its shape is the design's, and a sensor has a value? Real-time safe: yes.
   bool usable(const Sample& sample) const noexcept;
   /// Tells that no sample has come for `age_s`; raises input_lost once that exceeds the stale limit. True if it does.
@@ -98,7 +100,7 @@ class MonitorCycle {
   void no_residuals() noexcept;
   std::uint32_t estimate_flags() const noexcept;
   const estimation::Estimate& estimate_of(int estimator) const noexcept {
-    return estimator == watch_filter ? watch_.estimate() : companions_.estimate(static_cast<std::size_t>(estimator));
+    return estimator == watch_filter ? watch_.estimate() : companions_.estimate(as_size(estimator));
   }
 
   std::shared_ptr<const design::Design> design_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/prepared_design.h"
 
 namespace ehm::monitor {

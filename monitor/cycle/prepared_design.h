@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A design made ready to fly: what is constant in the cycles of all engines of one design, computed once and shared.
 //
@@ -10,11 +11,11 @@
 #include "monitor/data/options.h"
 #include "monitor/design/design.h"
 #include "monitor/design/make_estimator.h"
+#include "monitor/diagnosis/fault_signatures.h"
+#include "monitor/diagnosis/fleet_watch.h"
+#include "monitor/diagnosis/shift_detector.h"
+#include "monitor/diagnosis/slow_bias.h"
 #include "monitor/estimation/tuner_estimator.h"
-#include "monitor/judge/fault_signatures.h"
-#include "monitor/judge/fleet_watch.h"
-#include "monitor/judge/shift_detector.h"
-#include "monitor/judge/slow_bias.h"
 
 namespace ehm::monitor {
 

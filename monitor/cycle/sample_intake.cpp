@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/sample_intake.h"
 
 namespace ehm::monitor {
@@ -43,7 +44,7 @@ void SampleIntake::take(const Sample& sample, const SampleDecision& decision, Cy
   input_lost_.set(false, {.kind = idl::EventKind::input_lost}, events);
   second_source_.followed(decision.steps, events);
   sequence_watch_.in_order(sample, events);
-  stamp_watch_.judge(decision, events);
+  stamp_watch_.check(decision, events);
   dropped_ = 0;
   mended_ = sample;
   words_good_ = condition_check_.mend(mended_, decision.steps, events);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The first station of the data path: is the sample in order, from the source that is followed, in time, and are the
 // words that tell where the engine flies good? What is dropped is counted, and told by an event while it lasts.
@@ -33,7 +34,7 @@ class SampleIntake {
   std::uint64_t replaced() const noexcept { return condition_check_.replaced(); }
   /// It came at the design's sample time, and each of its words was good or there was something to replace it by.
   bool usable(const SampleDecision& decision, EventList& events) noexcept {
-    return sample_time_.judge(decision, events) && words_good_;
+    return sample_time_.check(decision, events) && words_good_;
   }
 
   /// No sample for `age_s`, which is beyond `limit_s`: whoever sends next may be followed.

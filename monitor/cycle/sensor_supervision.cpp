@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/sensor_supervision.h"
 
 #include <algorithm>
 #include <limits>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 
 namespace ehm::monitor {
@@ -22,7 +24,7 @@ SensorSupervision::SensorSupervision(const CycleOptions& options, const linear_m
 
 void SensorSupervision::check(const Sample& sample, int steps, CycleResult& result, EventList& events) noexcept {
   for (int i = 0; i < sensors_; ++i) {
-    const auto s = static_cast<std::size_t>(i);
+    const auto s = as_size(i);
     result.reason[s] = sensor_check_.reasons(sample, i, steps);
     const bool present = !(result.reason[s] & (reason::source_invalid | reason::not_finite));
     values_(i) = present ? sample.sensor[s] : std::numeric_limits<double>::quiet_NaN();
@@ -37,26 +39,26 @@ void SensorSupervision::watch_holds(EventList& events) noexcept {
   for (int i = 0; i < sensors_; ++i) {
     const std::int64_t hold = sensor_check_.untold_hold(i);
     hold_ = std::max(hold_, hold);
-    slow_sensor_[static_cast<std::size_t>(i)].set(hold > 1,
-                                                  {.kind = idl::EventKind::slow_sensor,
-                                                   .channel = static_cast<std::uint32_t>(i),
-                                                   .value = sample_time_s_ * static_cast<double>(hold),
-                                                   .threshold = sample_time_s_},
-                                                  events);
+    slow_sensor_[as_size(i)].set(hold > 1,
+                                 {.kind = idl::EventKind::slow_sensor,
+                                  .channel = static_cast<std::uint32_t>(i),
+                                  .value = sample_time_s_ * static_cast<double>(hold),
+                                  .threshold = sample_time_s_},
+                                 events);
   }
 }
 
 estimation::SensorMask SensorSupervision::plausible(const CycleResult& result) const noexcept {
   estimation::SensorMask plausible;
   for (int i = 0; i < sensors_; ++i)
-    if (result.reason[static_cast<std::size_t>(i)] == 0) plausible.set(static_cast<std::size_t>(i));
+    if (result.reason[as_size(i)] == 0) plausible.set(as_size(i));
   return plausible;
 }
 
 void SensorSupervision::gate(const GateDecision& gate, const GateContext& context, CycleResult& result) noexcept {
   const estimation::SensorMask plausible = this->plausible(result);
   for (int i = 0; i < sensors_; ++i) {
-    const auto s = static_cast<std::size_t>(i);
+    const auto s = as_size(i);
     // The gate keeps wild values out. What lasts longer is the fault detector's to name, once it listens.
     if (result.reason[s] != reason::repeated) gated_[s] = gate.rejected[s] ? gated_[s] + 1 : 0;
     const bool suspect = plausible[s] && context.suspect == i;
@@ -67,7 +69,7 @@ void SensorSupervision::gate(const GateDecision& gate, const GateContext& contex
 
 /// What the event of a sensor's exclusion compares: the range of its values, how many are equal, or the gate's ratio.
 std::pair<double, double> SensorSupervision::evidence(int sensor, const CycleResult& result) const noexcept {
-  const std::uint32_t why = result.reason[static_cast<std::size_t>(sensor)];
+  const std::uint32_t why = result.reason[as_size(sensor)];
   if (why & reason::quiet) return {sensor_check_.quiet(sensor).range(), sensor_check_.quiet(sensor).least()};
   if (!(why & reason::stuck)) return {result.ratio(sensor), 1.0};
   const StuckWatch& stuck = sensor_check_.stuck(sensor);
@@ -77,7 +79,7 @@ std::pair<double, double> SensorSupervision::evidence(int sensor, const CycleRes
 void SensorSupervision::qualify(bool detector_listens, CycleResult& result, CycleCounters& counters,
                                 EventList& events) noexcept {
   for (int i = 0; i < sensors_; ++i) {
-    const auto s = static_cast<std::size_t>(i);
+    const auto s = as_size(i);
     const std::uint32_t why = result.reason[s];
     if (why == reason::repeated) {  // no news, neither good nor bad
       if (excluded(i)) result.reason[s] |= reason::excluded;
@@ -100,12 +102,12 @@ void SensorSupervision::qualify(bool detector_listens, CycleResult& result, Cycl
 
 estimation::SensorMask SensorSupervision::available() const noexcept {
   estimation::SensorMask available;
-  for (int i = 0; i < sensors_; ++i) available[static_cast<std::size_t>(i)] = !excluded(i);
+  for (int i = 0; i < sensors_; ++i) available[as_size(i)] = !excluded(i);
   return available;
 }
 
 void SensorSupervision::exclude(int sensor, const Event& event, EventList& events) noexcept {
-  const auto s = static_cast<std::size_t>(sensor);
+  const auto s = as_size(sensor);
   qualification_[s].exclude();
   sensor_fault_[s].set(true, event, events);
 }
@@ -113,7 +115,7 @@ void SensorSupervision::exclude(int sensor, const Event& event, EventList& event
 void SensorSupervision::forget(EventList& events) noexcept {
   for (auto& q : qualification_) q.reset();
   for (std::size_t i = 0; i < sensor_fault_.size(); ++i)
-    sensor_fault_[i].judge_anew(idl::EventKind::sensor_fault, static_cast<std::uint32_t>(i), events);
+    sensor_fault_[i].reassess(idl::EventKind::sensor_fault, static_cast<std::uint32_t>(i), events);
 }
 
 void SensorSupervision::retire(EventList& events) noexcept {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The second station of the data path: which sensors may be fused. Each value is checked by itself, then against its
 // prediction; who is bad for a few samples is bridged, for longer excluded, and comes back after as many good ones.
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/linear_model.h"
 #include "monitor/checks/innovation_gate.h"
 #include "monitor/checks/qualification.h"
@@ -47,7 +49,7 @@ class SensorSupervision {
   void qualify(bool detector_listens, CycleResult& result, CycleCounters& counters, EventList& events) noexcept;
 
   bool excluded(int sensor) const noexcept {
-    return qualification_[static_cast<std::size_t>(sensor)].state() == Qualification::State::excluded;
+    return qualification_[as_size(sensor)].state() == Qualification::State::excluded;
   }
   /// All that are not excluded.
   estimation::SensorMask available() const noexcept;

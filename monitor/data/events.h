@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the cycle has to say beside the estimates: conditions that began or ended. Fixed capacity, no text: whoever
 // publishes them makes the message (monitor/service/event_text.h).
@@ -13,7 +14,7 @@ namespace ehm::monitor {
 struct Event {
   /// Details of an event that ends a condition though nothing has become better: another design flies from now on, or
   /// the filter starts anew.
-  static constexpr std::uint32_t design_exchanged = 0x8000'0000u, judged_anew = 0x8000'0001u;
+  static constexpr std::uint32_t design_exchanged = 0x8000'0000u, reassessed = 0x8000'0001u;
 
   idl::EventKind kind{};
   std::uint32_t channel = 0;
@@ -65,8 +66,8 @@ class Condition {
     set(false, {kind, channel, false, 0.0, 0.0, Event::design_exchanged}, events);
   }
   /// Ends it with the filter that has found it.
-  void judge_anew(idl::EventKind kind, std::uint32_t channel, EventList& events) noexcept {
-    set(false, {kind, channel, false, 0.0, 0.0, Event::judged_anew}, events);
+  void reassess(idl::EventKind kind, std::uint32_t channel, EventList& events) noexcept {
+    set(false, {kind, channel, false, 0.0, 0.0, Event::reassessed}, events);
   }
 
  private:

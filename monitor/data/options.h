@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What an operator may set of the data path; monitor/service/config.h gives each its range, unit and description.
 
@@ -56,7 +57,7 @@ struct FaultOptions {
   friend bool operator==(const FaultOptions&, const FaultOptions&) = default;
 };
 
-/// How far from the fleet's mean an estimate is believed (judge/fleet_watch.h).
+/// How far from the fleet's mean an estimate is believed (diagnosis/fleet_watch.h).
 struct FleetOptions {
   double warn_sigma = 5.0;       ///< of the prior: farther out a warning; one engine in 1.7 million stands there
   double withhold_sigma = 10.0;  ///< farther out no estimate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One sensor sample as the cycle sees it: the wire's EngineSensors without DDS.
 

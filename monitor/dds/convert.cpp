@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/dds/convert.h"
 
 #include <algorithm>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 
 namespace ehm::monitor {
@@ -106,10 +108,10 @@ EngineDescription describe(const design::Design& design, std::uint32_t engine_id
   for (std::size_t i = 0; i < model.controls.size(); ++i) d.actuators()[i] = channel(model.controls[i], 0.0);
   d.sensor_count(static_cast<std::uint32_t>(model.sensors.size()));
   for (std::size_t i = 0; i < model.sensors.size(); ++i)
-    d.sensors()[i] = channel(model.sensors[i], model.sensor_noise_sigma(static_cast<Eigen::Index>(i)));
+    d.sensors()[i] = channel(model.sensors[i], model.sensor_noise_sigma(as_index(i)));
   d.health_count(static_cast<std::uint32_t>(model.health.size()));
   for (std::size_t i = 0; i < model.health.size(); ++i)
-    d.health()[i] = channel(model.health[i], model.health_sigma(static_cast<Eigen::Index>(i)));
+    d.health()[i] = channel(model.health[i], model.health_sigma(as_index(i)));
   d.auxiliary_count(static_cast<std::uint32_t>(model.auxiliary.size()));
   for (std::size_t i = 0; i < model.auxiliary.size(); ++i) d.auxiliary()[i] = channel(model.auxiliary[i], 0.0);
   return d;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/dds/input_watch.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the middleware itself notices of the sources, where the configuration asks for it (dds.input_deadline_s,
 // dds.input_lease_s): samples later than the deadline, writers that give no sign of life. A reader that asks for either

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/dds/misfit_text.h"
 
 #include <spdlog/fmt/fmt.h>

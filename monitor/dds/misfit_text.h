@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What does not fit between a channel as its source describes it and the design's, as text.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/dds/order_reply.h"
 
 #include <spdlog/fmt/fmt.h>

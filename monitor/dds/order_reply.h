@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What became of a MonitorCommand, as the answer on the wire.
 
 #include <cstdint>
 
-#include "monitor/service/report.h"
+#include "monitor/service/cycle_report.h"
 
 namespace ehm::monitor {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the sources say of their channels, on EngineDescription beside their samples: names and units, and how they fit
 // the design that flies (checks/source_fit.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Samples that wait for what their source says of its channels (source_descriptions.h), while those of all others go on:
 // whoever is not known yet must not hold anybody up.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What is known of how good the tuners of a design are, written beside them. The objective is
 //   J = w_h SSEE(h)/limit(h) + w_z SSEE(z)/limit(z),     SSEE(z) and limit(z) with the channels' weights,

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/certificate_json.h"
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::design {
 namespace {
@@ -24,7 +26,7 @@ int count(files::JsonObject& object, const std::string& key) {
 
 /// A vector of whatever length the file gives.
 Eigen::VectorXd any_vector(files::JsonObject& object, const std::string& key) {
-  return object.vector(key, static_cast<Eigen::Index>(object.array(key).size()));
+  return object.vector(key, as_index(object.array(key).size()));
 }
 
 SearchStart start_from(const files::Json& json, const std::string& file, const std::string& path) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The certificate of a design, as the object "certificate" of a design file and of `tuner_design design --json`.
 

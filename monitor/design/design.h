@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A finished tuner design: the model, how it was scaled, one filter per sensor set, and how good it is.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Design file, JSON, schema "ehm-design/3": everything in a Design, numbers in shortest exact form (they round-trip bit
 // by bit), and the SHA-256 of the content without the hash itself. Whitespace and key order do not matter to the hash.

@@ -1,9 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/detectability.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 
+#include "deploy/runtime/numbers/decompositions.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::design {

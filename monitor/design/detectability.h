@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How well a slow bias of each sensor can be told from deterioration. A bias that grows slowly is seen only as where
 // the sensors have come to stand, and that is compared with where the fleet's deterioration may bring them:

@@ -1,12 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/gauss_markov_design.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <cmath>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
+#include "monitor/design/closed_loop.h"
 #include "monitor/estimation/linear/lyapunov.h"
 #include "monitor/estimation/linear/riccati.h"
 
@@ -16,8 +16,8 @@ namespace {
 constexpr double seen = 1e-6;  // of the largest singular value; less is not told apart from nothing
 
 Eigen::MatrixXd rows(const Eigen::MatrixXd& matrix, const std::vector<int>& chosen) {
-  Eigen::MatrixXd some(static_cast<Eigen::Index>(chosen.size()), matrix.cols());
-  for (std::size_t i = 0; i < chosen.size(); ++i) some.row(static_cast<Eigen::Index>(i)) = matrix.row(chosen[i]);
+  Eigen::MatrixXd some(as_index(chosen.size()), matrix.cols());
+  for (std::size_t i = 0; i < chosen.size(); ++i) some.row(as_index(i)) = matrix.row(chosen[i]);
   return some;
 }
 
@@ -31,7 +31,7 @@ double seen_radius(const SubsetDesign& design, const linear_model::LinearModel& 
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows(signal, design.sensors), Eigen::ComputeFullV);
   svd.setThreshold(seen);
   const Eigen::Index unseen = p - svd.rank();
-  const Eigen::MatrixXd Acl = design.A - design.K * design.C * design.A;
+  const Eigen::MatrixXd Acl = closed_loop(design);
   if (unseen == 0) return estimation::spectral_radius(Acl);
   Eigen::MatrixXd modes(n + p, unseen);
   const Eigen::MatrixXd kernel = model.health_sigma.asDiagonal() * svd.matrixV().rightCols(unseen);
@@ -56,8 +56,7 @@ void add_gain(SubsetDesign& design, const linear_model::LinearModel& model, doub
   const Eigen::MatrixXd CP = C * design.P;
   const Eigen::MatrixXd K = (CP * C.transpose() + R).llt().solve(CP).transpose();
   design.K = Eigen::MatrixXd::Zero(n + p, model.C.rows());
-  for (std::size_t i = 0; i < design.sensors.size(); ++i)
-    design.K.col(design.sensors[i]) = K.col(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < design.sensors.size(); ++i) design.K.col(design.sensors[i]) = K.col(as_index(i));
 }
 
 }  // namespace

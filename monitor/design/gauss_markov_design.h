@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Gain of the full-order Gauss-Markov filter (estimation/gauss_markov_filter.h) for one set of sensors:
 //

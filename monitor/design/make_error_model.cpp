@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/make_error_model.h"
 
 #include <cmath>
 
 #include "engine_sim/linear_model/stationary_covariance.h"
+#include "monitor/design/closed_loop.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::design {
@@ -34,8 +36,7 @@ void add_noise(estimation::ErrorModel& error, const linear_model::LinearModel& m
   const Eigen::Index n = model.C.cols(), size = subset.A.rows();
   const Eigen::MatrixXd& Q = model.process_noise;
   const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
-  const Eigen::MatrixXd entry =
-      (Eigen::MatrixXd::Identity(size, size) - subset.K * subset.C).leftCols(n);  // (I - K C) [I; 0]
+  const Eigen::MatrixXd entry = process_noise_entry(subset, n);
   error.noise = subset.K * R * subset.K.transpose() + entry * Q * entry.transpose();
   error.start.setZero(size, size);
   error.start.topLeftCorner(n, n) = linear_model::stationary_covariance(subset.A.topLeftCorner(n, n), Q);
@@ -50,7 +51,7 @@ estimation::ErrorModel make_error_model(const Design& design, const SubsetDesign
   const Eigen::Index n = model.A.rows(), t = subset.V.rows(), p = model.L.cols(), r = model.F.rows();
 
   estimation::ErrorModel error;
-  error.closed_loop = subset.A - subset.K * subset.C * subset.A;
+  error.closed_loop = closed_loop(subset);
   add_noise(error, model, subset);
   error.health_output.setZero(p, n + t);
   error.health_output.rightCols(t) = subset.W;

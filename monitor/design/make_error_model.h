@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From a design to the constants of its error propagation, for one sensor set.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/make_estimator.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From a design to the estimators that can fly it. estimator_kinds() is the table of all of them: a further one is a
 // file in estimation/, a line there, and a row of the shared suite (tests/unit/monitor/estimation/estimator_test.cpp).

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/make_filter.h"
 
-#include <Eigen/QR>
-
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/steady_gain.h"
 
 namespace ehm::design {
@@ -37,7 +38,7 @@ SubsetGain channel_unit_gain(const SubsetDesign& design, const SubsetDesign& ful
   const auto health = scaling.health.asDiagonal();
   const auto auxiliary = scaling.auxiliary.asDiagonal();
   SubsetGain gain;
-  for (const int sensor : design.sensors) gain.sensors.set(static_cast<std::size_t>(sensor));
+  for (const int sensor : design.sensors) gain.sensors.set(as_size(sensor));
   gain.A = design.A;
   gain.B = design.B;
   gain.C = scaling.sensor.asDiagonal() * design.C;
@@ -67,13 +68,13 @@ estimation::TunerFilter make_filter(const Design& design) {
   estimation::TunerFilterModel flying;
   flying.D = design.model.D;
   flying.G = design.model.G;
-  flying.health_trim.resize(static_cast<Eigen::Index>(model.health.size()));
-  flying.auxiliary_trim.resize(static_cast<Eigen::Index>(model.auxiliary.size()));
+  flying.health_trim.resize(as_index(model.health.size()));
+  flying.auxiliary_trim.resize(as_index(model.auxiliary.size()));
   for (std::size_t i = 0; i < model.health.size(); ++i) {
-    flying.health_trim(static_cast<Eigen::Index>(i)) = design.model.health[i].trim;
+    flying.health_trim(as_index(i)) = design.model.health[i].trim;
   }
   for (std::size_t i = 0; i < model.auxiliary.size(); ++i) {
-    flying.auxiliary_trim(static_cast<Eigen::Index>(i)) = design.model.auxiliary[i].trim;
+    flying.auxiliary_trim(as_index(i)) = design.model.auxiliary[i].trim;
   }
   flying.states = static_cast<int>(model.states.size());
   flying.full = channel_unit_gain(design.full, design.full, design.scaling, model, steady);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From a design (scaled units) to the filter that flies (channel units). With s_x, s_h, s_y, s_z the scales:
 //   C_phys = s_y C, K_phys = K s_y^-1, Th = s_h [0, W], Tz = s_z [F, N W].

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/make_full_order.h"
 
 #include <cmath>
 #include <numeric>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/discretise.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "monitor/design/gauss_markov_design.h"
@@ -39,7 +41,7 @@ estimation::GaussMarkovSet make_set(const Design& design, const linear_model::Li
                                     const std::vector<int>& sensors, double rho) {
   const SubsetDesign subset = gauss_markov_filter(model, sensors, rho);
   estimation::GaussMarkovSet set;
-  for (const int sensor : sensors) set.sensors.set(static_cast<std::size_t>(sensor));
+  for (const int sensor : sensors) set.sensors.set(as_size(sensor));
   estimation::GaussMarkovGain gain{rho, subset.K, {}};
   gain.innovation_variance =
       (subset.C * subset.P * subset.C.transpose()).diagonal() + model.sensor_noise_sigma.cwiseAbs2();
@@ -66,7 +68,7 @@ std::shared_ptr<const estimation::GaussMarkovModel> make_gauss_markov_model(cons
       if (sensor != missing) left.push_back(sensor);
     if (left.empty()) continue;
     try {
-      made->sets[static_cast<std::size_t>(1 + missing)] = make_set(design, model, left, rho);
+      made->sets[as_size(1 + missing)] = make_set(design, model, left, rho);
     } catch (const estimation::SolverError&) {  // these sensors alone have no filter: no answer without that one
     }
   }

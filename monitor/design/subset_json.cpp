@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/subset_json.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
+#include "monitor/design/closed_loop.h"
+#include "monitor/estimation/linear/lyapunov.h"
 
 namespace ehm::design {
 namespace {
@@ -40,9 +41,7 @@ void check_tuner_noise(const SubsetDesign& design, const std::string& key, const
 }
 
 void check_closed_loop(const SubsetDesign& design, const std::string& key, const std::string& file) {
-  // Acl = Axq - Kinf Cxq Axq
-  const Eigen::MatrixXd closed_loop = design.A - design.K * (design.C * design.A);
-  const double radius = Eigen::EigenSolver<Eigen::MatrixXd>(closed_loop, false).eigenvalues().cwiseAbs().maxCoeff();
+  const double radius = estimation::spectral_radius(closed_loop(design));
   if (radius < 1.0) return;
   files::throw_defect(file, key, "a gain whose closed loop has the spectral radius " + files::shown(radius), "below 1",
                       "Make the design again with tuner_design design");
@@ -57,7 +56,7 @@ SubsetDesign subset_from_json(const files::Json& json, const linear_model::Linea
   files::JsonObject object(json, file, path);
   SubsetDesign design;
   design.sensors = read_sensors(object, model.sensors.size());
-  const auto t = static_cast<Eigen::Index>(object.array("V").size());
+  const auto t = as_index(object.array("V").size());
   if (t < 1 || t > std::min(m, p)) {
     files::throw_defect(file, object.key("V"), std::to_string(t) + " rows high",
                         "1 to " + std::to_string(std::min(m, p)) + " rows",

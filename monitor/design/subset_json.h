@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // SubsetDesign as JSON, a part of the design file; shapes are in monitor/design/design.h.
 

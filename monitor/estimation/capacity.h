@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Vector and matrix types sized at run time within an engine's capacities. Storage is inside the object, so that
 // nothing on the cycle path allocates.

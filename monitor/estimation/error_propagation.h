@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Total error of the tuner filter while it converges, so that the published sigma is honest from the first sample on.
 //
@@ -9,7 +10,7 @@
 // with Acl = (I - K C) A, dx the engine's own motion about its balance, dx[k+1] = A dx[k] + w, cov(w) = Q, and
 // Qw = blkdiag(Q, 0). The published standard deviations are the roots of the diagonals of
 //   (Th M - Gh)(..)^T + Th S Th^T    and    (Tz M - Gz)(..)^T + Tz S Tz^T.
-// For an engine far outside the fleet the parts that were measured over the fleet grow (judge/fleet_watch.h): with the
+// For an engine far outside the fleet the parts that were measured over the fleet grow (diagnosis/fleet_watch.h): with the
 // excess e the columns of M - G of the health by e^1/2, those of the nonlinearity, which grows with the square of the
 // health, by e. e = 1 within the fleet.
 // M_0 = 0 and S_0 = blkdiag(cov(dx), 0) for a cold start, with the stationary cov(dx) = A cov(dx) A^T + Q: the engine

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What an estimator says of one engine after a sample. Absolute values in channel units; the two standard deviations of
 // a channel: that of the whole error over the fleet, which is published as sigma_total, and the estimator's own idea,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The seam between the data path and whatever estimates: one engine, one sample after another, in absolute channel
 // units. Trims, the point where its model holds, and the theory of its error are the estimator's own affair.
@@ -48,7 +49,7 @@ class Estimator {
   /// design knowing, 1 for most; the error then falls more slowly by as much.
   virtual void update(SensorMask fused, std::int64_t hold) noexcept = 0;
   /// The engine stands beyond the fleet: the sigmas of what the fleet's spread told are too small by sqrt(excess)
-  /// (judge/fleet_watch.h). 1: within it.
+  /// (diagnosis/fleet_watch.h). 1: within it.
   virtual void widen(double excess) noexcept = 0;
 
   /// How far the conditions are from where the model holds, in tolerances; above 1 it extrapolates.

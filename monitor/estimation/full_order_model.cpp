@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/full_order_model.h"
 
 #include <stdexcept>
 #include <string>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 
@@ -10,7 +12,7 @@ namespace ehm::estimation {
 namespace {
 
 void require_capacity(const char* list, std::size_t size, int capacity) {
-  if (size <= static_cast<std::size_t>(capacity)) return;
+  if (size <= as_size(capacity)) return;
   throw std::invalid_argument(std::string("full-order filter: ") + std::to_string(size) + " " + list +
                               "; allowed: at most " + std::to_string(capacity));
 }

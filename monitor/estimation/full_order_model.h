@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The linear model as the filters on all n + p states use it: state [x; h] with constant or slowly fading h,
 //

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/gauss_markov_estimator.h"
 
 #include <utility>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/sensor_choice.h"
 
 namespace ehm::estimation {
@@ -35,7 +37,7 @@ void GaussMarkovEstimator::reset() noexcept {
 bool GaussMarkovEstimator::use(SensorMask available) noexcept {
   const int missing = only_missing(model_->sets.front()->sensors, available);
   if (missing == several_missing) return false;
-  const auto wanted = static_cast<std::size_t>(1 + missing);
+  const auto wanted = as_size(1 + missing);
   if (wanted == set_) return true;
   if (!model_->sets[wanted]) return false;
   set_ = wanted;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The full-order Gauss-Markov filter as an Estimator: it follows changes of health for ever, with one time constant for
 // what the sensors see, and forgets what they do not see within its memory. The theory of its total error is that of

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/gauss_markov_filter.h"
 
 #include <stdexcept>
 #include <string>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::estimation {
 
@@ -51,7 +54,7 @@ void GaussMarkovFilter::innovation(const SensorVector& dy, const ActuatorVector&
 void GaussMarkovFilter::update(SensorMask fused) noexcept {
   // Chosen, not multiplied by zero: a sensor without a value has NaN here.
   for (Eigen::Index i = 0; i < innovation_.size(); ++i) {
-    if (fused[static_cast<std::size_t>(i)]) estimate_ += gain_->K.col(i) * innovation_(i);
+    if (fused[as_size(i)]) estimate_ += gain_->K.col(i) * innovation_(i);
   }
   read_out();
 }

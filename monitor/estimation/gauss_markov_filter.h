@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The steady-state Kalman filter on all n + p states, health as a Gauss-Markov process that fades towards the fleet's
 // mean (theory.md, section 8  (drop the quoted subtitle; section 8 is "Filters on all n + p states"), "Full-order alternative"):

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How far an engine is from where a linear model was made, in tolerances: the largest of |flight - point| / tolerance
 // and |actuator - trim| / tolerance. The tolerance of an actuator is a percentage of its trim, but its own for degrees
@@ -10,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "monitor/data/options.h"
@@ -35,7 +37,7 @@ class PointDistance {
                            std::abs(now.flight.delta_isa_k - point_->delta_isa_k) / options_.delta_isa_k});
     }
     for (std::size_t i = 0; i < actuators_; ++i)
-      distance = std::max(distance, std::abs(now.actuators(static_cast<Eigen::Index>(i)) - trim_[i]) / tolerance_[i]);
+      distance = std::max(distance, std::abs(now.actuators(as_index(i)) - trim_[i]) / tolerance_[i]);
     return distance;
   }
 

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which design of an estimator serves the sensors that are available, where it has one for all and one for all but each.
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/capacity.h"
 
 namespace ehm::estimation {
@@ -13,7 +15,7 @@ inline int only_missing(SensorMask wanted, SensorMask available) noexcept {
   if (absent.none()) return none_missing;
   if (absent.count() > 1) return several_missing;
   int missing = 0;
-  while (!absent[static_cast<std::size_t>(missing)]) ++missing;
+  while (!absent[as_size(missing)]) ++missing;
   return missing;
 }
 

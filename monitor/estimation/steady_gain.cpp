@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/steady_gain.h"
 
-#include <Eigen/LU>
 #include <sstream>
 #include <stdexcept>
+
+#include "deploy/runtime/numbers/decompositions.h"
 
 namespace ehm::estimation {
 

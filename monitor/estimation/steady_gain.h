@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Steady influence of health on state, sensors and auxiliary outputs with u = 0 ([SG] eq. 9 ff.):
 //   X  = (I-A)^-1 L  (discrete)  or  -A^-1 L  (continuous)     n x p

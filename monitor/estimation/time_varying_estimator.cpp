@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/time_varying_estimator.h"
 
 #include <utility>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::estimation {
 
 TimeVaryingEstimator::TimeVaryingEstimator(std::shared_ptr<const TimeVaryingModel> model, const PointDistance& distance)
     : model_(std::move(model)), filter_(model_->model), distance_(distance), du_(model_->units.actuator_trim.size()) {
-  for (Eigen::Index i = 0; i < model_->units.sensor_trim.size(); ++i) all_.set(static_cast<std::size_t>(i));
+  for (Eigen::Index i = 0; i < model_->units.sensor_trim.size(); ++i) all_.set(as_size(i));
   reset();
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The time-varying Kalman filter on all n + p states as an Estimator: no linear estimator knows more of an engine whose
 // health stays, after the same samples, and none is deafer to a health that changes. Any sensors will do. Its total

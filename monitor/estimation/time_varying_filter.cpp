@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/time_varying_filter.h"
 
 #include <cmath>
 #include <utility>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::estimation {
 
@@ -67,7 +70,7 @@ void TimeVaryingFilter::innovation(const SensorVector& dy, const ActuatorVector&
 
 void TimeVaryingFilter::update(SensorMask fused) noexcept {
   for (Eigen::Index i = 0; i < measured_.size(); ++i) {
-    if (fused[static_cast<std::size_t>(i)]) fuse(i);
+    if (fused[as_size(i)]) fuse(i);
   }
   read_out();
 }

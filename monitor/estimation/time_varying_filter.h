@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The time-varying Kalman filter on all n + p states, h constant: no linear estimator knows more after the same samples
 // (theory.md, section 8  (drop the quoted subtitle; section 8 is "Filters on all n + p states"): "the limit for N samples").

@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/tuner_estimator.h"
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/sensor_choice.h"
 
 namespace ehm::estimation {
@@ -101,9 +103,7 @@ void TunerEstimator::take_back() noexcept {
 }
 
 bool TunerEstimator::restore(int missing_sensor, const AugmentedVector& estimate, const ErrorState& error) noexcept {
-  if (static_cast<std::size_t>(1 + missing_sensor) >= errors_->size() ||
-      !same_shape(error, error_model(missing_sensor)))
-    return false;
+  if (as_size(1 + missing_sensor) >= errors_->size() || !same_shape(error, error_model(missing_sensor))) return false;
   const SensorSet set = missing_sensor < 0 ? SensorSet::full() : SensorSet::without(missing_sensor);
   if (!filter_.restore(set, estimate)) return false;
   error_.restore(error_model(missing_sensor), error);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tuner filter as an Estimator: the steady-state Kalman filter on q = V* h of each sensor set (tuner_filter.h), the
 // theory of its total error from the first sample on (error_propagation.h), and the trims that it deviates from. It has
@@ -9,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/error_propagation.h"
 #include "monitor/estimation/estimator.h"
 #include "monitor/estimation/point_distance.h"
@@ -69,9 +71,7 @@ class TunerEstimator final : public Estimator {
   [[nodiscard]] int settling_samples() const noexcept { return errors_->front().settling_samples; }
 
  private:
-  [[nodiscard]] const ErrorModel& error_model(int missing) const noexcept {
-    return (*errors_)[static_cast<std::size_t>(1 + missing)];
-  }
+  [[nodiscard]] const ErrorModel& error_model(int missing) const noexcept { return (*errors_)[as_size(1 + missing)]; }
   void read_out() noexcept;
   void read_out_sigmas() noexcept;
 

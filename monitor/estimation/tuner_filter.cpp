@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/tuner_filter.h"
 
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::estimation {
 namespace {
@@ -58,7 +61,7 @@ void check_model(const TunerFilterModel& model) {
                                 std::to_string(max_states) + ", and at least one tuner besides");
   }
   check_tuner_structure("full set:", model.full, model.states);
-  if (model.missing.size() != static_cast<std::size_t>(model.D.rows())) {
+  if (model.missing.size() != as_size(model.D.rows())) {
     throw std::invalid_argument("tuner filter: " + std::to_string(model.missing.size()) +
                                 " designs for a missing sensor; expected one entry for each of the " +
                                 std::to_string(model.D.rows()) + " sensors");
@@ -140,7 +143,7 @@ void TunerFilter::update(SensorMask fused) noexcept {
   // Chosen, not multiplied by zero: a sensor without a value has NaN here.
   const SensorMask used = fused & gain().sensors;
   for (Eigen::Index i = 0; i < innovation_.size(); ++i) {
-    fused_innovation_(i) = used[static_cast<std::size_t>(i)] ? innovation_(i) : 0.0;
+    fused_innovation_(i) = used[as_size(i)] ? innovation_(i) : 0.0;
   }
   if (carried_share_ > 0.0) carried_share_ -= carried_share_ * fading_;
   // xhat = xpred + K nu
@@ -217,7 +220,7 @@ void TunerFilter::reset() noexcept {
 
 bool TunerFilter::available(SensorSet set) const noexcept {
   if (set.is_full()) return true;
-  const auto i = static_cast<std::size_t>(set.missing());
+  const auto i = as_size(set.missing());
   return i < model().missing.size() && model().missing[i].has_value();
 }
 

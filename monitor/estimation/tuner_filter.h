@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The steady-state Kalman filter on the tuners, which flies ([SG] eqs. 15-17, with the actuators kept):
 //
@@ -16,6 +17,7 @@
 #include <optional>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/capacity.h"
 #include "monitor/estimation/linear/padded_matrix.h"
 
@@ -122,7 +124,7 @@ class TunerFilter {
 
   /// Present design, for what compares estimates over time (shift detection).
   [[nodiscard]] const SubsetGain& gain() const noexcept {
-    return set_.is_full() ? model().full : *model().missing[static_cast<std::size_t>(set_.missing())];
+    return set_.is_full() ? model().full : *model().missing[as_size(set_.missing())];
   }
   [[nodiscard]] const TunerFilterModel& model() const noexcept { return constants_->model; }
 
@@ -149,7 +151,7 @@ class TunerFilter {
   static Step step_of(const SubsetGain& gain, const TunerFilterModel& model);
   static Constants constants_of(TunerFilterModel model);
   const Step& step() const noexcept {
-    return set_.is_full() ? constants_->full_step : constants_->missing_step[static_cast<std::size_t>(set_.missing())];
+    return set_.is_full() ? constants_->full_step : constants_->missing_step[as_size(set_.missing())];
   }
   void re_reference(const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept;
   void read_out() noexcept;

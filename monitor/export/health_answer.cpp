@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/export/health_answer.h"
 
 #include <algorithm>
@@ -45,11 +46,11 @@ double rounded(double seconds) {
 
 json stalled_loops(const Ages& ages) {
   json reasons = json::array();
-  const auto judge = [&](const char* loop, double age_s) {
+  const auto check = [&](const char* loop, double age_s) {
     if (age_s > longest_turn_s) reasons.push_back(fmt::format("the {} thread has stalled for {:.1f} s", loop, age_s));
   };
-  judge("cycle", ages.cycle_s);
-  judge("reporter", ages.reporter_s);
+  check("cycle", ages.cycle_s);
+  check("reporter", ages.reporter_s);
   return reasons;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How long ago a loop turned last, for who looks from outside at least every 50 ms or so. Real-time safe for the loop:
 // it only counts. One thread looks.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the monitor has published, as Prometheus metrics: prefix ehm_, base units (seconds, hertz, bytes), counters end
 // in _total. Labels: engine (engine_id) and source (source_id of this monitor), and kind, channel, flag or percentile

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/export/metrics_endpoint.h"
 
 #include <spdlog/spdlog.h>

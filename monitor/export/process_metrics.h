@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Memory, descriptors and processor time of this process, under the names that Prometheus' client libraries share
 // (process_resident_memory_bytes and so on). From /proc and getrusage; a metric that cannot be read is left out.

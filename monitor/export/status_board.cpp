@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/export/status_board.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -16,7 +17,7 @@ bool is_moment(std::uint32_t kind) {
 
 }  // namespace
 
-bool StatusBoard::hang_up(const MonitorStatus& status) {
+bool StatusBoard::post(const MonitorStatus& status) {
   const std::lock_guard lock(mutex_);
   EngineView& engine = engines_[status.engine_id()];
   const bool changed = engine.status_ns == 0 || engine.status.level() != status.level();
@@ -25,7 +26,7 @@ bool StatusBoard::hang_up(const MonitorStatus& status) {
   return changed;
 }
 
-void StatusBoard::hang_up(const HealthEvent& event) {
+void StatusBoard::post(const HealthEvent& event) {
   const std::lock_guard lock(mutex_);
   EngineView& engine = engines_[event.engine_id()];
   const bool raised = event.raised() != 0;
@@ -34,15 +35,15 @@ void StatusBoard::hang_up(const HealthEvent& event) {
     engine.conditions[{event.kind(), event.channel()}] = {event.channel_name().c_str(), raised};
 }
 
-void StatusBoard::hang_up(const EngineDescription& description) {
+void StatusBoard::post(const EngineDescription& description) {
   const std::lock_guard lock(mutex_);
   EngineView& engine = engines_[description.engine_id()];
   engine.design_hash = description.design_hash().c_str();
   engine.engine_type = description.engine_type().c_str();
 }
 
-void StatusBoard::hang_up(std::uint32_t engine_id, const linear_model::LinearModel& model,
-                          const EstimateSnapshot& estimates) {
+void StatusBoard::post(std::uint32_t engine_id, const linear_model::LinearModel& model,
+                       const EstimateSnapshot& estimates) {
   std::vector<EstimateView> views;
   const auto add = [&](const char* kind, const auto& channels, const auto& values, const auto& sigmas) {
     for (std::size_t i = 0; i < channels.size(); ++i)
@@ -56,7 +57,7 @@ void StatusBoard::hang_up(std::uint32_t engine_id, const linear_model::LinearMod
   engines_[engine_id].estimates = std::move(views);
 }
 
-void StatusBoard::take_down(std::uint32_t engine_id) {
+void StatusBoard::remove(std::uint32_t engine_id) {
   const std::lock_guard lock(mutex_);
   engines_.erase(engine_id);
 }

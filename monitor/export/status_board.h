@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The latest that the monitor has published of each engine, for who looks from outside: metrics, health endpoint,
 // systemd's status line. The reporter thread hangs up what it has just written to DDS; other threads read a copy. The
@@ -39,13 +40,13 @@ using FleetView = std::map<std::uint32_t, EngineView>;  ///< by engine_id
 class StatusBoard {
  public:
   /// True if the engine is new or its level has changed.
-  bool hang_up(const MonitorStatus& status);
-  void hang_up(const HealthEvent& event);
-  void hang_up(const EngineDescription& description);
-  void hang_up(std::uint32_t engine_id, const linear_model::LinearModel& model, const EstimateSnapshot& estimates);
+  bool post(const MonitorStatus& status);
+  void post(const HealthEvent& event);
+  void post(const EngineDescription& description);
+  void post(std::uint32_t engine_id, const linear_model::LinearModel& model, const EstimateSnapshot& estimates);
 
   /// The engine is not served any more.
-  void take_down(std::uint32_t engine_id);
+  void remove(std::uint32_t engine_id);
 
   FleetView view() const;
   /// "3 engines: 2 OK, 1 STALE"

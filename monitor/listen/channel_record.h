@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What one channel of a source has shown so far, without any idea of what it should show.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the design expects of each sensor of a healthy fleet in steady state, with the actuators where they are:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/listen/listen.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -56,8 +57,8 @@ void hear_descriptions(idl::Reader<EngineDescription>& reader, Descriptions& des
       descriptions[{d.engine_id(), d.source_id()}] = d;
 }
 
-void judge(ListenReport& report, const Descriptions& descriptions, const EngineTable& engines,
-           const CycleOptions& options) {
+void check_wiring(ListenReport& report, const Descriptions& descriptions, const EngineTable& engines,
+                  const CycleOptions& options) {
   for (auto& [key, source] : report.sources) {
     source.design = engines.design_of(key.first);
     if (!source.design) {
@@ -71,7 +72,7 @@ void judge(ListenReport& report, const Descriptions& descriptions, const EngineT
   }
 }
 
-void judge_whole(ListenReport& report, const MonitorConfig& config, int writers, const Complaints& complaints) {
+void check_whole(ListenReport& report, const MonitorConfig& config, int writers, const Complaints& complaints) {
   for (const std::string& text : complaints.all()) report.findings.push_back({true, text});
   std::uint32_t last_engine = 0;
   for (const auto& [key, source] : report.sources) {
@@ -144,8 +145,8 @@ bool listen(const MonitorConfig& config, const EngineTable& engines, const Liste
     writers = std::max(writers, sensors.matched());
     report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }
-  judge(report, described, engines, config.cycle);
-  judge_whole(report, config, writers, complaints);
+  check_wiring(report, described, engines, config.cycle);
+  check_whole(report, config, writers, complaints);
   out << (options.json ? report_json(report) : report_text(report)) << std::flush;
   return report.good();
 }

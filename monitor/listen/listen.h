@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // monitor --listen: verifies the wiring of a source of EngineSensors without estimating. Subscribes as the service
 // does, so that what is found here (QoS, domain, partition) is what the service would meet, and reports rates, losses,

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/listen/listen_report.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::monitor {
 
@@ -33,9 +36,8 @@ std::string channels_text(const SourceFindings& s) {
   }
   for (std::size_t i = 0; i < std::min<std::size_t>(model.sensors.size(), s.record.last.sensor_count()); ++i) {
     const ChannelRecord& c = s.record.sensors[i];
-    text +=
-        fmt::format("  {:<14}{:<10}{:>12.6g}{:>12.6g}{:>11.3g}{:>11.3g}", model.sensors[i].name, model.sensors[i].unit,
-                    c.last, c.mean(), c.noise(), model.sensor_noise_sigma(static_cast<Eigen::Index>(i)));
+    text += fmt::format("  {:<14}{:<10}{:>12.6g}{:>12.6g}{:>11.3g}{:>11.3g}", model.sensors[i].name,
+                        model.sensors[i].unit, c.last, c.mean(), c.noise(), model.sensor_noise_sigma(as_index(i)));
     if (i < s.wiring.sensors.size()) {
       const SensorView& view = s.wiring.sensors[i];
       text += fmt::format("{:>12.6g}{:>10.3g}{:>9.1f}", view.expected, view.spread, view.deviation);

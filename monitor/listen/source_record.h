@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What one source of one engine has sent so far: order, times, channels. Two clocks: the samples' own stamps, and ours
 // at reception.
@@ -74,7 +75,7 @@ struct SourceRecord {
     }
     ++in_order;
     lost += place.ahead - 1;
-    judge_stamp(elapsed);
+    check_stamp(elapsed);
     order_.advance(s.sequence_number(), place);
     clock_.advance(s.source_time_ns(), place.ahead);
     const double steps = static_cast<double>(place.ahead);
@@ -83,7 +84,7 @@ struct SourceRecord {
                   steps);
     if (samples > settling_samples) own.hear(1e-9 * static_cast<double>(received_ns - received_ns_) / steps);
   }
-  void judge_stamp(const Elapsed& elapsed) {
+  void check_stamp(const Elapsed& elapsed) {
     unset += elapsed.state == StampState::unset;
     stood += elapsed.state == StampState::repeated;
     set_back += elapsed.state == StampState::set_back;

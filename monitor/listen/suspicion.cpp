@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/listen/suspicion.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/units/units.h"
 
 namespace ehm::monitor {
@@ -19,7 +21,7 @@ std::string swap_partner(const std::vector<linear_model::Channel>& sensors, cons
                          const Expectation& e, Eigen::Index i) {
   for (Eigen::Index j = 0; j < mean.size(); ++j)
     if (j != i && near(mean(i), e, j) && near(mean(j), e, i) && !near(mean(j), e, j))
-      return "; swapped with " + sensors[static_cast<std::size_t>(j)].name + "?";
+      return "; swapped with " + sensors[as_size(j)].name + "?";
   return "";
 }
 
@@ -27,7 +29,7 @@ std::string other_place(const std::vector<linear_model::Channel>& sensors, const
                         const Expectation& e, Eigen::Index i) {
   for (Eigen::Index j = 0; j < mean.size(); ++j)
     if (j != i && near(mean(i), e, j))
-      return "; it would be right for " + sensors[static_cast<std::size_t>(j)].name + ", is the order right?";
+      return "; it would be right for " + sensors[as_size(j)].name + ", is the order right?";
   return "";
 }
 
@@ -46,7 +48,7 @@ std::vector<std::string> suspicions(const std::vector<linear_model::Channel>& se
   std::vector<std::string> texts;
   for (Eigen::Index i = 0; i < mean.size(); ++i) {
     if (!std::isfinite(mean(i)) || near(mean(i), e, i)) continue;
-    const linear_model::Channel& sensor = sensors[static_cast<std::size_t>(i)];
+    const linear_model::Channel& sensor = sensors[as_size(i)];
     std::string why = swap_partner(sensors, mean, e, i);
     if (why.empty()) why = unit_confusion(sensor, mean(i), e, i);
     if (why.empty()) why = other_place(sensors, mean, e, i);

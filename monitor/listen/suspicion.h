@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Sensors whose mean lies more than five spreads from what is expected, and what would explain each: two channels
 // swapped, or another unit.

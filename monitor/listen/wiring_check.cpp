@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/listen/wiring_check.h"
 
 #include <spdlog/fmt/fmt.h>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/sensor_noise.h"
 #include "idl/wire_values.h"
 #include "monitor/checks/sample_time_watch.h"
@@ -162,8 +164,7 @@ bool at_design_point(const SourceRecord& s, const SourceFit& fit, const CycleOpt
   std::copy(s.last.actuator().begin(), s.last.actuator().end(), sample.actuator.begin());
   fit.apply(sample);
   estimation::Conditions here{sample.flight, estimation::ActuatorVector(model.controls.size())};
-  for (std::size_t i = 0; i < model.controls.size(); ++i)
-    here.actuators(static_cast<Eigen::Index>(i)) = sample.actuator[i];
+  for (std::size_t i = 0; i < model.controls.size(); ++i) here.actuators(as_index(i)) = sample.actuator[i];
   return estimation::PointDistance(options.validity, model).of(here) <= 1.0;
 }
 
@@ -193,10 +194,10 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
   }
   if (!check_counts(s, model, findings)) return report;
 
-  const auto actuators = static_cast<Eigen::Index>(model.controls.size());
+  const auto actuators = as_index(model.controls.size());
   Eigen::VectorXd acting(actuators);
   for (Eigen::Index i = 0; i < actuators; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = as_size(i);
     check_values("actuator", model.controls[k].name, s.actuators[k], findings);
     acting(i) = fit.actuators[k].conversion(s.actuators[k].mean());
   }
@@ -205,7 +206,7 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
     const std::string& name = model.sensors[i].name;
     if (repeats(name, s.sensors[i], sensor_kind(options.checks, options.sensors, model, i), findings)) continue;
     // A sensor that holds each value for n samples steps once in n, by noise that is counted n times.
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = as_index(i);
     check_noise(name, s.sensors[i], fit.sensors[i],
                 model.sensor_noise_sigma(at) / linear_model::held_samples(model, at), findings);
   }
@@ -213,7 +214,7 @@ WiringReport check_wiring(const SourceRecord& s, const design::Design& design, c
   const Expectation expectation = expect_sensors(model, acting);
   Eigen::VectorXd mean(expectation.value.size());
   for (Eigen::Index i = 0; i < mean.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = as_size(i);
     mean(i) = fit.sensors[k].conversion(s.sensors[k].mean());
     report.sensors.push_back(
         {expectation.value(i), expectation.spread(i), (mean(i) - expectation.value(i)) / expectation.spread(i)});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Is a source wired as the monitor needs it? Order and time of its samples, its channels against the design: counts,
 // validity, stuck, noise, plausibility against the trim; where a value is not plausible, whether it would be as another

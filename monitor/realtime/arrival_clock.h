@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // When a sample arrived, on the monotonic clock. The middleware stamps receptions with the wall clock, which an
 // operator or NTP may step; a latency must not notice.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The two clocks of a service: monotonic for ages and latencies, wall clock for stamps on the wire.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/realtime/rt_setup.h"
 
 #include <sched.h>
@@ -10,6 +11,8 @@
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::monitor {
 
@@ -42,7 +45,7 @@ void set_cpus(const RealtimeOptions& options, std::vector<std::string>& warnings
   if (options.cpus.empty()) return;
   cpu_set_t set;
   CPU_ZERO(&set);
-  for (const int cpu : parse_cpu_list(options.cpus)) CPU_SET(static_cast<std::size_t>(cpu), &set);
+  for (const int cpu : parse_cpu_list(options.cpus)) CPU_SET(as_size(cpu), &set);
   if (sched_setaffinity(0, sizeof(set), &set) != 0)
     warnings.push_back(refused("realtime.cpus = " + options.cpus, "the cycle runs on any processor",
                                "name processors that exist here and that this process may use (nproc --all; systemd: "

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the operating system can do for the cycle thread: priority, processors, memory that stays, a stack that is
 // there.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Bounded queue from one thread to one other without locks: what leaves the cycle thread goes through it.
 //

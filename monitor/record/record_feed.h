@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The cycle thread's side of the recorder: one row for each sample that its cycle saw, and one for whatever else acted
 // on the cycle, in their order, through a bounded queue. What the queue refuses is counted, and the next row tells how

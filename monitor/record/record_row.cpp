@@ -1,6 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/record/record_row.h"
 
 #include <algorithm>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::monitor {
 
@@ -77,7 +80,7 @@ void fill_shadow(const EngineSlot& slot, int shadow, Row& row) noexcept {
   fill_marker(slot, recording::RowKind::shadow, 0, row);
   row.a.kind += shadow;
   const CycleResult& result = slot.cycle.result();
-  const estimation::Estimate& estimate = result.shadow[static_cast<std::size_t>(shadow)];
+  const estimation::Estimate& estimate = result.shadow[as_size(shadow)];
   row.a.accepted = 1;
   row.a.estimates = result.estimates ? 1 : 0;
   row.a.flags = result.flags;

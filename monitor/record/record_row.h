@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Between the cycle and the recording's rows: nothing but copying.
 

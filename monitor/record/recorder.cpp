@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/record/recorder.h"
 
 #include <spdlog/spdlog.h>
@@ -7,6 +8,7 @@
 
 #include "deploy/runtime/config/config_error.h"
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/recording/part_files.h"
 #include "deploy/runtime/service/last_catch.h"
 #include "monitor/realtime/clock.h"
@@ -29,7 +31,7 @@ constexpr double bytes_per_mb = 1e6;
 
 Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines, NoticeBoard& notices)
     : options_(config.record), feed_(std::make_unique<RecordFeed>()), notices_(notices) {
-  know(engines);
+  add_engines(engines);
   const design::Design& first = *engines.designs().front();
   info_.recording_id = wall_clock_ns();
   info_.part = 0;
@@ -46,7 +48,7 @@ Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines, Noti
   thread_ = std::thread([this] { run(); });
 }
 
-void Recorder::know(const EngineTable& engines) {
+void Recorder::add_engines(const EngineTable& engines) {
   const auto designs = engines.designs();
   const recording::Channels channels = recorded_channels(*designs.front());
   for (const design::Design* design : designs)
@@ -86,7 +88,7 @@ void Recorder::begin_part(recording::Channels channels) {
 }
 
 void Recorder::make_room() {
-  while (parts_.size() > 1 && parts_.size() >= static_cast<std::size_t>(options_.max_files)) {
+  while (parts_.size() > 1 && parts_.size() >= as_size(options_.max_files)) {
     std::error_code gone;  // what cannot be removed stays
     std::filesystem::remove(parts_[1], gone);
     parts_.erase(parts_.begin() + 1);

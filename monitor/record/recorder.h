@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Writes what the cycle thread feeds to files, on a thread of its own.
 //
@@ -35,7 +36,7 @@ class Recorder {
   RecordFeed& feed() { return *feed_; }
   /// Before a table flies: makes its designs known. From any thread.
   /// @throws config::ConfigError if their channels differ.
-  void know(const EngineTable& engines);
+  void add_engines(const EngineTable& engines);
 
  private:
   void run();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/redundancy/peer_watch.h"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Rank of redundant monitors under exclusive ownership: who flies stays, who returns stands by.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The writer of one topic of estimates; under exclusive ownership two DDS writers, one for each rank (peer_watch.h).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whether a monitor may write at this moment, under exclusive ownership.
 //

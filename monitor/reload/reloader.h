@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // SIGHUP: reads configuration and designs again, and hands the new engine table to the cycle thread, which takes it
 // between two samples. Reading, checking and building all happen on this thread. What is invalid, or cannot change

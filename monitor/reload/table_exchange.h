@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A new engine table on its way from the reloader to the cycle thread, and the old one back: two pointers, no lock.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part of the cycle thread that obeys MonitorCommands, between two samples, and says what became of each.
 
 #include "idl/wire_values.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part of the cycle thread that gives engines up: one that has been silent for long, and all of them at a stop.
 
 #include "idl/wire_values.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/service/cycle_thread.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
 #include "monitor/realtime/clock.h"
-#include "monitor/service/status_report.h"
+#include "monitor/service/engine_status.h"
 
 namespace ehm::monitor {
 
@@ -180,7 +181,7 @@ void CycleThread::fit_source(EngineSlot& slot, std::uint64_t participant) {
 
 void CycleThread::report_misfits(const EngineSlot& slot, DescribedSource& source) {
   SourceChannel first_converted{slot.sample.source_id, 0, Misfit::none, false, 0, {}};
-  const auto judge = [&](std::size_t channel, const ChannelFit& fit, const DescribedChannel& said) {
+  const auto compare = [&](std::size_t channel, const ChannelFit& fit, const DescribedChannel& said) {
     const std::uint32_t bit = 1u << channel;
     const bool misfits = fit.misfit != Misfit::none;
     if (fit.used() && fit.conversion.changes() && first_converted.converted++ == 0) {
@@ -192,9 +193,9 @@ void CycleThread::report_misfits(const EngineSlot& slot, DescribedSource& source
     report_channel(slot, {slot.sample.source_id, static_cast<std::uint32_t>(channel), fit.misfit, misfits, 0, said});
   };
   const auto& model = slot.cycle.design().model;
-  for (std::size_t i = 0; i < source.sensors_of(model); ++i) judge(i, source.fit.sensors[i], source.sensors[i]);
+  for (std::size_t i = 0; i < source.sensors_of(model); ++i) compare(i, source.fit.sensors[i], source.sensors[i]);
   for (std::size_t i = 0; i < source.actuators_of(model); ++i)
-    judge(estimation::max_sensors + i, source.fit.actuators[i], source.actuators[i]);
+    compare(estimation::max_sensors + i, source.fit.actuators[i], source.actuators[i]);
   if (first_converted.converted > 0) report_channel(slot, first_converted);
 }
 
@@ -231,7 +232,7 @@ void CycleThread::publish(EngineSlot& slot, std::int64_t arrival_ns) {
       slot.deadline_misses += latency_us > 1e6 * slot.cycle.design().model.sample_time_s;
     }
   }
-  slot.cycle.judge();
+  slot.cycle.diagnose();
   if (result.estimates) {
     convert(result.estimate, result.flags, stamp, auxiliary_sample_);
     send(slot, auxiliary_, auxiliary_sample_);
@@ -309,7 +310,7 @@ void CycleThread::report_malformed(EngineSlot& slot) {
 
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
   if (!reports_.has_room()) return;  // tried again at the next turn
-  if (records_) judge_recording(slot);
+  if (records_) check_recording(slot);
   Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
   report.status = make_status(slot, level, now_ns, start_ns_);
   report.estimates = estimates_of(slot.cycle);
@@ -335,7 +336,7 @@ void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_
   slot.status_counters = slot.cycle.counters();
 }
 
-void CycleThread::judge_recording(EngineSlot& slot) {
+void CycleThread::check_recording(EngineSlot& slot) {
   const std::uint64_t lost = records_->lost();
   EventList changes;
   slot.losing_records.set(lost != slot.status_records_lost,

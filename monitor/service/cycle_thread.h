@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The real-time side of the service: takes each sample as it arrives, runs its engine's cycle, writes the estimates,
 // and watches for input that stays away. EngineHealth is written first, and the latency ends there: from the reception
@@ -18,15 +19,15 @@
 #include "monitor/redundancy/peer_watch.h"
 #include "monitor/redundancy/ranked_writer.h"
 #include "monitor/reload/table_exchange.h"
+#include "monitor/service/cycle_report.h"
 #include "monitor/service/engine_table.h"
-#include "monitor/service/report.h"
 #include "monitor/service/shadow_writers.h"
 
 namespace ehm::monitor {
 
 /// What the cycle gives to other threads, and takes from them. It outlives the thread's endpoints.
 struct CycleLinks {
-  ReportQueue& reports;
+  CycleReportQueue& reports;
   CheckpointKeeper* checkpoints;  ///< null: none are kept
   RecordFeed* records;            ///< null: nothing is recorded
   TableExchange& exchange;
@@ -64,7 +65,7 @@ class CycleThread {
   OrderOutcome::Kind carry_out(const MonitorCommand& command, OrderOutcome& outcome);
   bool reset(EngineSlot& slot);
   void watch_input(std::int64_t now_ns);
-  void judge_recording(EngineSlot& slot);
+  void check_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
   void leave(EngineSlot& slot, double age_s);
   bool incumbent() const { return peers_ && peers_->incumbent(); }
@@ -84,7 +85,7 @@ class CycleThread {
   std::int64_t start_ns_;
   EngineTable* engines_;  ///< exchanged at a reload, between two turns
   TableExchange& exchange_;
-  ReportQueue& reports_;
+  CycleReportQueue& reports_;
   CheckpointKeeper* checkpoints_;
   RecordFeed* records_;
   std::uint64_t unknown_engine_samples_ = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From engine_id to a number, in constant time and in memory that is all there from the start.
 //
@@ -8,13 +9,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
+
 namespace ehm::monitor {
 
 class EngineIndex {
  public:
   explicit EngineIndex(std::size_t capacity);
 
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::size_t none = as_size(-1);
   /// `engine_id` is not 0. @returns none if it was never added.
   std::size_t find(std::uint32_t engine_id) const noexcept;
   /// `engine_id` is not 0 and not there yet; at most `capacity` are added.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One monitored engine: its cycle, its latencies, when it was last heard of.
 

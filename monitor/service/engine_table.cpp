@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/service/engine_table.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 
 namespace ehm::monitor {
@@ -21,8 +23,7 @@ PreparedDesign EngineTable::prepare(const std::string& file, const CycleOptions&
   }
 }
 
-EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before)
-    : index_(static_cast<std::size_t>(config.max_engines)) {
+EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before) : index_(as_size(config.max_engines)) {
   const auto make_slot = [&](const std::string& file) {
     auto known = designs_.find(file);
     if (known == designs_.end()) known = designs_.emplace(file, prepare(file, config.cycle, before)).first;
@@ -37,7 +38,7 @@ EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before)
     }
   named_ = slots_.size();
   if (config.design.empty()) return;
-  while (slots_.size() < static_cast<std::size_t>(config.max_engines)) slots_.push_back(make_slot(config.design));
+  while (slots_.size() < as_size(config.max_engines)) slots_.push_back(make_slot(config.design));
   free_ = slots_.size() - named_;
   if (free_ > 0) pristine_ = std::make_unique<const MonitorCycle>(slots_.back()->cycle);
 }

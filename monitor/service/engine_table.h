@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The engines that this monitor serves. All filters are made at start; an engine that nobody named takes a spare one of
 // the default design when its first usable sample comes, so that the cycle path never allocates, and gives it back when

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The estimates of one engine as a display wants them: once a status, in single precision. For metrics; who controls or
 // judges by estimates reads EngineHealth and EngineAuxiliary.

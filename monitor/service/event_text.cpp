@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/service/event_text.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <array>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/checks/condition_check.h"
 #include "monitor/checks/sample_check.h"
 #include "monitor/checks/sample_time_watch.h"
@@ -62,7 +64,7 @@ std::string sensor_fault(const Event& e, const linear_model::LinearModel& model)
         e.value, e.threshold);
   if (e.detail & reason::noise) return fmt::format("its noise grew {:.1f} times or more", e.value);
   if (!(e.detail & reason::bias)) return reasons(e.detail);
-  const double sigma = model.sensor_noise_sigma(static_cast<Eigen::Index>(e.channel));
+  const double sigma = model.sensor_noise_sigma(as_index(e.channel));
   return fmt::format("bias {:+.4g} {}, {:+.1f} sigma, since {:.2f} s", e.value, sensor.unit, e.value / sigma, e.age_s);
 }
 
@@ -183,7 +185,7 @@ std::string channel_name(const Event& event, const linear_model::LinearModel& mo
 std::string event_text(const Event& e, const linear_model::LinearModel& model) {
   const auto* c = channel_of(e, model);
   if (!e.raised && e.detail == Event::design_exchanged) return "ended: another design, or other options, fly";
-  if (!e.raised && e.detail == Event::judged_anew) return "ended: the filter started anew, and judges anew";
+  if (!e.raised && e.detail == Event::reassessed) return "ended: the filter started anew, and judges anew";
   switch (e.kind) {
     case idl::EventKind::sensor_fault:
       return e.raised ? fmt::format("sensor {} is faulty ({}) and no longer used", c->name, sensor_fault(e, model))

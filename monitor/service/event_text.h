@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One sentence for an event: what happened to which channel, by how much, and against what.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Everything that configures the monitor, as plain values; config.h gives each its key, range and description.
 

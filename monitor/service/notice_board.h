@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the middleware's threads, or others beside the cycle, have to say: conditions that began or ended and that no
 // sample decided. Any thread but the cycle's posts; the reporter takes, logs and publishes each as a HealthEvent.

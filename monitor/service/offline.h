@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The very cycle without DDS: rows of a recording or a CSV file in, a recording with estimates out.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/service/reporter.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -21,7 +22,7 @@ namespace {
 constexpr std::chrono::milliseconds poll{5};  // how late an event may be reported
 constexpr double drain_s = 0.25;              // how long a stop waits for subscribers to hear the last status
 
-void say_malformed(const Report& report) {
+void say_malformed(const CycleReport& report) {
   const Malformed& m = report.malformed;
   const auto& model = report.design->model;
   spdlog::warn(
@@ -33,8 +34,8 @@ void say_malformed(const Report& report) {
 
 }  // namespace
 
-Reporter::Reporter(idl::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
-                   InputWatch& input, StatusBoard& board, service::TurnCounter& turns)
+Reporter::Reporter(idl::Participant& participant, std::uint32_t source_id, CycleReportQueue& queue,
+                   NoticeBoard& notices, InputWatch& input, StatusBoard& board, service::TurnCounter& turns)
     : unreadable_(participant.unreadable()),
       source_id_(source_id),
       queue_(queue),
@@ -76,33 +77,33 @@ void Reporter::await_reported(const service::TurnCounter& turns) {
 }
 
 bool Reporter::report_next() {
-  Report report;
+  CycleReport report;
   if (!queue_.pop(report)) return false;
   switch (report.kind) {
-    case Report::Kind::event:
+    case CycleReport::Kind::event:
       report_event(report);
       break;
-    case Report::Kind::status:
+    case CycleReport::Kind::status:
       // Before the status: who has heard of it on DDS finds both in the metrics.
-      board_.hang_up(report.engine_id, report.design->model, report.estimates);
+      board_.post(report.engine_id, report.design->model, report.estimates);
       report_status(report.status);
       break;
-    case Report::Kind::malformed:
+    case CycleReport::Kind::malformed:
       say_malformed(report);
       break;
-    case Report::Kind::source_channel:
+    case CycleReport::Kind::source_channel:
       report_source_channel(report);
       break;
-    case Report::Kind::new_engine:
+    case CycleReport::Kind::new_engine:
       report_new_engine(report);
       break;
-    case Report::Kind::engine_left:
+    case CycleReport::Kind::engine_left:
       report_left(report);
       break;
-    case Report::Kind::reply:
+    case CycleReport::Kind::reply:
       report_reply(report);
       break;
-    case Report::Kind::unknown_engine:
+    case CycleReport::Kind::unknown_engine:
       spdlog::warn(
           "engine {}: no design serves it ({} samples refused so far); name it in an [[engine]] table or raise "
           "monitor.max_engines",
@@ -112,22 +113,22 @@ bool Reporter::report_next() {
   return true;
 }
 
-void Reporter::report_new_engine(const Report& report) {
+void Reporter::report_new_engine(const CycleReport& report) {
   const EngineDescription description = describe(*report.design, report.engine_id, source_id_);
   descriptions_.write(description);
-  board_.hang_up(description);
+  board_.post(description);
   spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
   if (left_.erase(report.engine_id) == 0) return;
-  Report back = report;
+  CycleReport back = report;
   back.event = {idl::EventKind::engine_left, 0, false, 0.0, 0.0, 0};
   report_event(back);
 }
 
 /// Its event stays for who joins late; status and description end.
-void Reporter::report_left(const Report& report) {
+void Reporter::report_left(const CycleReport& report) {
   constexpr std::size_t most_left = 65536;  // engines come and go for years
   if (left_.size() < most_left) left_.insert(report.engine_id);
-  board_.take_down(report.engine_id);
+  board_.remove(report.engine_id);
   MonitorStatus status;
   status.engine_id(report.engine_id);
   status.source_id(source_id_);
@@ -135,7 +136,7 @@ void Reporter::report_left(const Report& report) {
   descriptions_.release(describe(*report.design, report.engine_id, source_id_));
 }
 
-void Reporter::report_reply(const Report& report) {
+void Reporter::report_reply(const CycleReport& report) {
   const CommandReply reply = reply_to(report.engine_id, report.outcome, source_id_);
   replies_.write(reply);
   const bool accepted = reply.accepted() != 0;
@@ -149,7 +150,7 @@ void Reporter::report_reply(const Report& report) {
   if (!accepted) refusals_ = 0;
 }
 
-void Reporter::report_event(const Report& report) {
+void Reporter::report_event(const CycleReport& report) {
   const Event& event = report.event;
   const std::string text = event_text(event, report.design->model);
   HealthEvent wire_event;
@@ -166,7 +167,7 @@ void Reporter::report_event(const Report& report) {
   publish(wire_event);
 }
 
-void Reporter::report_source_channel(const Report& report) {
+void Reporter::report_source_channel(const CycleReport& report) {
   const SourceChannel& c = report.source_channel;
   const auto& model = report.design->model;
   const bool sensor = c.channel < EHM_MAX_SENSORS;
@@ -211,7 +212,7 @@ void Reporter::report_status(MonitorStatus& status) {
   status.input_deadline_misses(input_.deadline_misses());
   status.input_liveliness_losses(input_.liveliness_losses());
   status.reports_lost(status.reports_lost() + notices_.lost());
-  const bool changed = board_.hang_up(status);  // before the wire: who has heard of it finds it in the metrics
+  const bool changed = board_.post(status);  // before the wire: who has heard of it finds it in the metrics
   status_.write(status);
   if (changed) service::notify_status(board_.summary());
 }
@@ -231,7 +232,7 @@ void Reporter::say(const Notice& notice) {
 void Reporter::publish(HealthEvent& event) {
   event.source_id(source_id_);
   event.schema(idl::schema_version);
-  board_.hang_up(event);  // before the wire: who has heard of it finds it in the metrics
+  board_.post(event);  // before the wire: who has heard of it finds it in the metrics
   events_.write(event);
   const std::string whom =
       event.engine_id() == 0 ? std::string() : "engine " + std::to_string(event.engine_id()) + ": ";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The slow side of the service, on its own thread: log lines, HealthEvent, MonitorStatus and EngineDescription.
 
@@ -10,15 +11,15 @@
 #include "idl/wire_values.h"
 #include "monitor/dds/input_watch.h"
 #include "monitor/export/status_board.h"
+#include "monitor/service/cycle_report.h"
 #include "monitor/service/notice_board.h"
-#include "monitor/service/report.h"
 
 namespace ehm::monitor {
 
 class Reporter {
  public:
   /// What it publishes also hangs on `board`; `turns` grows with each look at the queue.
-  Reporter(idl::Participant& participant, std::uint32_t source_id, ReportQueue& queue, NoticeBoard& notices,
+  Reporter(idl::Participant& participant, std::uint32_t source_id, CycleReportQueue& queue, NoticeBoard& notices,
            InputWatch& input, StatusBoard& board, service::TurnCounter& turns);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
@@ -29,11 +30,11 @@ class Reporter {
  private:
   void run();
   bool report_next();
-  void report_new_engine(const Report& report);
-  void report_left(const Report& report);
-  void report_reply(const Report& report);
-  void report_event(const Report& report);
-  void report_source_channel(const Report& report);
+  void report_new_engine(const CycleReport& report);
+  void report_left(const CycleReport& report);
+  void report_reply(const CycleReport& report);
+  void report_event(const CycleReport& report);
+  void report_source_channel(const CycleReport& report);
   void report_notices();
   void report_status(MonitorStatus& status);
   void report_overflow();
@@ -43,7 +44,7 @@ class Reporter {
   idl::UnreadablePeers& unreadable_;
   std::int64_t unreadable_told_ns_ = 0;
   std::uint32_t source_id_;
-  ReportQueue& queue_;
+  CycleReportQueue& queue_;
   NoticeBoard& notices_;
   InputWatch& input_;
   StatusBoard& board_;

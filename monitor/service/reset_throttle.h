@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Resets are obeyed, but not as fast as anybody sends them: a filter that is reset all the time never converges.
 //

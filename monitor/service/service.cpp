@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/service/service.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -83,7 +84,7 @@ struct Shared {
   NoticeBoard notices;
   InputWatch input;
   StatusBoard board;
-  std::unique_ptr<ReportQueue> reports = std::make_unique<ReportQueue>();
+  std::unique_ptr<CycleReportQueue> reports = std::make_unique<CycleReportQueue>();
   TableExchange exchange;
   std::mutex identity_mutex;
   idl::IdentityFacts identity;  ///< of the participant that is there
@@ -112,7 +113,7 @@ Parting take_part(const MonitorConfig& config, EngineTable*& engines, Shared& sh
     shared.certificate_expires_s = identity.expires_s;
   }
   auto options = watched_participant(config, shared.notices, shared.input);
-  auto incidents = service::hear_incidents(options);
+  auto incidents = service::receive_incidents(options);
   idl::Participant participant = [&] {
     const MiddlewarePolicy inherited(config.realtime);
     return idl::Participant(std::move(options));
@@ -163,7 +164,7 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, *engines, shared.notices);
   const auto know = [&](const EngineTable& next) {
-    if (recorder) recorder->know(next);
+    if (recorder) recorder->add_engines(next);
     if (!config.security.empty()) look_at_identity(config, shared);
   };
   const Reloader reloader(source, std::move(table), shared.exchange, shared.notices,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The monitor as a service: which threads there are, and what connects them.
 //

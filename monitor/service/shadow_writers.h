@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The topics of the shadow estimators: EngineHealth/NAME and EngineAuxiliary/NAME for each, with the same types, keys
 // and delivery as the published ones. Real-time safe: as RankedWriter. Must be destroyed before the Participant.

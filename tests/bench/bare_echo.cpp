@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // bare_echo DOMAIN: answers every EngineSensors by an EngineHealth of the same sequence number and does nothing else.
 // What a round trip over DDS costs without a monitor: same types, same QoS, same way of waiting (echo_bench.cpp).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A process that a bench needs beside it: started, and ended in order with its owner.
 

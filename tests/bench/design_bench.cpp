@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a design costs, at 7 sensors and 10 health parameters (our engine at cruise, tangent model):
 //   one objective with its adjoint gradient, the same gradient by central differences over the entries of V*, their
 //   ratio in this run, and a whole design from 10 starts with its designs for a missing sensor, on one thread.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the monitor adds to a round trip over DDS: EngineSensors out, EngineHealth back, through a bare echo process and
 // through the real monitor, in one run. The two take turns sample by sample, half a period apart, each on a domain of
 // its own, so that whatever else the machine does hits both alike.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Times of the engine model: a step of the transient (output and step, median, 99 % and worst over slams at three
 // flight conditions), beside one evaluation of the cycle and steady solutions, cold and from a point nearby.
 // Usage: engine_bench [options of Google Benchmark]. The flight is flown five times and does the same work each time,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many engines one monitor serves: fleets of growing size from a light replayer before a real monitor, with a
 // subscriber of the estimates. Prints loss, latency, processor time per engine and its linear fit; --largest then
 // doubles and bisects up to the largest fleet without loss and with its p99 within one period.

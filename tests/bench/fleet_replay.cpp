@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // fleet_replay: EngineSensors of many engines from one light process, each engine every period, spread evenly over it.
 // No physics: every engine stays at the design's trim. Prints one line of JSON when it ends.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One fleet before one real monitor, for a while: what was lost, how late it was, what it cost.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Prints the mean number of machine instructions of one step of the transient, counted by callgrind over slams at three
 # flight conditions. The figure is the same in every run of one build, on a busy machine too.
 # Usage: tests/bench/instructions.sh [BUILD_FOLDER]     (default build)

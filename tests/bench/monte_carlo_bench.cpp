@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Speed of Monte Carlo on the linear truth, at the size of the JT9D-class engine: 2 states, 7 sensors, 10 health
 // parameters, 7 tuners, 3 actuators, 4 auxiliary outputs.
 //   kalman_steps           15 ms steps a second on one core: truth, noise, filter and the errors of the window

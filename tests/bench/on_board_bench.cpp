@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Times of the on-board model beside a step of the transient, on what an estimator asks along throttle slams at sea
 // level, cruise and ceiling (slam_flight.h): speeds with a jitter of 1e-4, health of 1e-4 a sample, metal temperatures,
 // fuel flow and flight condition as measured (1e-3, 1 m, Mach 1e-4).
@@ -14,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/model/onboard/on_board_engine.h"
 #include "tests/bench/slam_flight.h"
@@ -73,7 +75,7 @@ class Times {
   double quantile(double share) const {
     std::vector<double> sorted = us_;
     std::sort(sorted.begin(), sorted.end());
-    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    return sorted[as_size(share * static_cast<double>(sorted.size() - 1))];
   }
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast a recording is written, and how large it becomes: the rows of a real recording, as those of 1, 10 and 50
 // engines that take turns. Usage: record_bench RECORDING
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What DDS Security costs: EngineSensors to a second process and EngineResiduals back, without security, signed and
 // encrypted, in one run, in short alternating blocks. Certificates are made by the script that users run.
 // Usage: security_bench [--rounds N] [--pings N] [--pause-us N] [--domain D]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The transient's workload for measurements: throttle slams (throttle_slam.h) at sea level, cruise and ceiling, with
 // ramps of 1, 2.5 and 5 s, one after another, in steps of 15 ms. Endless.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flies the slams of slam_flight.h once and prints the number of steps: what instructions.sh counts under callgrind.
 
 #include <cstdio>

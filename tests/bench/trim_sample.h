@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Sensor samples of an engine that stays at its design's trim, for benches that need no physics. The last digits move
 // from sample to sample, as those of a sensor do: a value that stands still is a stuck channel.

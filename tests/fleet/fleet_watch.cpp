@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // fleet_watch: listens for a while to the estimates and statuses of all partitions, and prints a line for each monitor:
 // engines, estimates a second, gaps in their sequence, worst p99. Exit: 0, 1 failed, 2 wrong usage
 

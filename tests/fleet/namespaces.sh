@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Three monitors of ten engines each on three hosts (network namespaces), one partition a host, discovery by a Discovery
 # Server on a fourth. One monitor is killed and comes back: the other two must not notice. Prints a table.
 # Usage: namespaces.sh BUILD_DIR DESIGN_FILE

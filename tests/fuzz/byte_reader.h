@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Reads values off the fuzzer's bytes; zeros where they end.
 

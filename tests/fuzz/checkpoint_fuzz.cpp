@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A checkpoint: refused with a FileError, or plain data that a cycle may be asked to resume from.
 
 #include "deploy/runtime/files/file_error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The design file: refused with a FileError, or for matrices that do not fit together, or a design that flies.
 
 #include "deploy/runtime/files/file_error.h"

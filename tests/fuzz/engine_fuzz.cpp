@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The engine file: refused with a FileError, or an engine that is written and read back as the same, with maps that give
 // finite numbers.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Builds the fuzz targets with clang and libFuzzer and runs each for a while on its kept corpus. What breaks a promise
 # is written to BUILD/findings/TARGET and fails the run; put such an input into tests/fuzz/corpus/TARGET with the fix.
 # Usage: tests/fuzz/fuzz.sh [--seconds N] [--jobs N] [--merge] [TARGET...]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A folder of CSV files from somebody else: refused with a FileError, or a sound model. The input is the files one
 // after the other, each begun by a line "=NAME"; the folder is in memory.
 

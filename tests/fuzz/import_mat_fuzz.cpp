@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A MATLAB file from somebody else: refused with a FileError, or a sound model.
 
 #include "deploy/runtime/files/file_error.h"

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes the seeds of the binary formats to tests/fuzz/corpus; the texts there are kept as they are.
 
     tests/fuzz/make_seeds.py        needs numpy and scipy

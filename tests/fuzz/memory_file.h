@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A file without a disk for parsers that read by name: it lives in memory and is gone with its owner.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The linear model file: refused with a FileError, or a model that is written and read back as the same.
 
 #include "deploy/runtime/files/file_error.h"

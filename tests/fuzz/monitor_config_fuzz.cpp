@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The monitor's configuration file: refused with a ConfigError, or every value is in its range and prints.
 
 #include "monitor/service/config.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a cycle promises of whatever it has been fed: finite estimates, positive sigmas, counters that add up.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays kept inputs without the fuzzer: every file of the folders and every file that the command line names.
 
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A broken promise ends the program in every build, so that fuzzer and replay both see it.
 

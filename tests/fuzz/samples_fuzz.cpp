@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of a sample: the fuzzer's bytes become a flight, sample by sample, mostly plausible and spoilt here and
 // there, with silences and resets between; whatever comes, the cycle keeps its promises (published.h).
 

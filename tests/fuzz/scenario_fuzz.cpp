@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The simulator's scenario file: refused with a ConfigError, or every value is in its range.
 
 #include "engine_sim/scenario/scenario_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Our files carry a hash of their content, which no mutation survives. The fuzzer's text is sealed anew, so that the
 // parser behind the hash is reached; text that is not JSON goes through as it is.

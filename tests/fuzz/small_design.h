@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The design that the targets fly: small, kept in the corpus of the design parser, read once.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The path of a sample from the bytes on the wire: whatever deserialises as EngineSensors is converted and flown, and
 // what the cycle makes of it is converted back.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """All attacks, one after another, a line each. See ../hostile.sh, which gives it a network and mounts of its own."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Disks that are full, at the start and in flight: a tmpfs of 2 MB, in the mount namespace that hostile.sh has made."""
 
 import errno

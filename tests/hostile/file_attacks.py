@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Paths that are no files, descriptors that are no more, an output that takes nothing."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Clients of the HTTP endpoint that mean harm. Everything is measured from a second client, and from the flight."""
 
 import socket

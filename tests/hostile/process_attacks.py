@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Signals at bad moments, a reader of the log that hangs, a monitor that is stopped."""
 
 import fcntl

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The pair under attack, in the network namespace that hostile.sh has made, seen through /metrics, exit codes and logs."""
 
 import http.client

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Peers on the wire that mean ill: samples, texts, orders."""
 
 import os

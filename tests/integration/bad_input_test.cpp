@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hostile peer on the wire, and bad files: each mistake has its counter or its message, and the service goes on.
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A killed monitor resumes where it was; a checkpoint that does not belong is refused and named.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /* Preloaded into a service under test: moves its wall clock by the seconds that stand in the file EHM_CLOCK_STEP,
    8 bytes, a double. The monotonic clock is left alone. */
 #define _GNU_SOURCE

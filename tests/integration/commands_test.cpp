@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The offline commands of engine_sim as real processes: files, pipes, exit codes, signals.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An independent DDS implementation (Cyclone DDS, types by idlc from the same IDL) as a peer of the services.
 //
 //   cyclone_peer listen DOMAIN SECONDS          counts what it hears on every topic, prints "TOPIC COUNT" lines

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cyclone DDS and the services understand each other on every topic, both ways.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Good samples of one engine at the design's trim, for tests that publish by themselves and spoil some of them.
 

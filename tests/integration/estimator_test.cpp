@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Estimators beside the published one, on real DDS: each under its own topic, sample by sample, with the same sensors.
 
 #include <gmock/gmock.h>

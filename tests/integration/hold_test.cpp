@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A process that is stopped for longer than the lease of its participant (Ctrl-Z, a debugger, a suspended machine) is
 // dropped by the others; when it goes on, it joins anew, and samples and estimates flow again.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A simulator on a domain of its own, and between it and the monitor an impairing re-publisher. The monitor and the
 // fixture's listener are beyond it; `source_listener_` hears the simulator itself, and so the truth.

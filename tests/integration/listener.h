@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A subscriber of every topic of one domain, for tests: keeps what it heard and waits for conditions, never for time.
 

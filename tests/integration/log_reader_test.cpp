@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who reads the log may stop or go away; the flight, its events and its end do not wait for him.
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who gets a filter, who gives it back, and who may give orders how often.
 
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bad network between source and monitor: loss, jitter, bursts, duplicates, overtaking, clocks that jump.
 // What the monitor does in each case: deploy/docs/wire_behaviour.md.
 

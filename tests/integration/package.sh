@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs into an empty prefix, builds the examples against it by find_package alone, lets each subscriber print an
 # estimate of a live pair, and lets the sensor source in C take the simulator's place. Usage: package.sh BUILD_DIR DESIGN_FILE
 set -euo pipefail

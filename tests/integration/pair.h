@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The pair under test, engine_sim and monitor, on a domain of the test's own, with a listener beside it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Estimates that no engine of the fleet has, on the wire: a warning that names what stands apart, then nothing.
 
 #include "tests/integration/pair.h"

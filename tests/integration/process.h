@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A service under test as a real process: started, signalled, awaited, its log kept, never left behind.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Partition and ownership: who hears whom, and what is said when QoS excludes.
 
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // realtime.* on a real monitor: what the system grants is set, what it refuses is said, and it runs on either way.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SIGHUP in flight: what is valid is taken between two samples, what is not is refused by name, and nothing is lost.
 
 #include <sys/stat.h>

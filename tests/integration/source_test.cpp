@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who may feed an engine, and what is said of sources: second writers, deadline, liveliness, QoS that excludes, floods
 // of bad samples. What the monitor does in each case: deploy/docs/wire_behaviour.md.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two monitors fly one engine under exclusive ownership: whichever dies, a subscriber goes on, and sees no sample
 // twice.
 
@@ -7,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/redundancy/write_fence.h"
 #include "tests/integration/pair.h"
@@ -69,9 +71,9 @@ class StandbyTest : public PairTest {
   }
   /// Index of the first estimate from `source_id` at or after `from`.
   std::size_t first_of(std::uint32_t source_id, std::size_t from) const {
-    return static_cast<std::size_t>(std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(from), seen_.end(),
-                                                 [&](const Seen& s) { return s.health.source_id() == source_id; }) -
-                                    seen_.begin());
+    return as_size(std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(from), seen_.end(),
+                                [&](const Seen& s) { return s.health.source_id() == source_id; }) -
+                   seen_.begin());
   }
   std::int64_t gap_before(std::size_t i) const {
     return static_cast<std::int64_t>(seen_[i].health.sequence_number() - seen_[i - 1].health.sequence_number()) - 1;
@@ -158,7 +160,7 @@ Kill StandbyTest::kill_and_return() {
 
 double percentile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return values[as_size(share * static_cast<double>(values.size() - 1))];
 }
 
 TEST_F(StandbyTest, FiftyKills) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SIGTERM: everything is said and kept, within a second, whatever the readers do.
 
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A source on the wire whose stamps or sequence numbers are not perfect. The cycle's own tests fly longer
 // (tests/unit/monitor/cycle/uneven_time_test.cpp); here it is what subscribers hear of it.
 

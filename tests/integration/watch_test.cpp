@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ehm_watch as it is used: beside a simulator that tells the truth, beside a source that does not, and beside somebody
 // who publishes a truth of his own.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Boots the systemd of a root folder in namespaces of its own (processes, mounts, network with loopback only, cgroups, so
 # that it sees nothing of this host), and runs a script in it. All of it ends with this script.
 # Usage: boot.sh ROOT COMMAND...     as root

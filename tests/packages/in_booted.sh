@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: Apache-2.0
 # Run by boot.sh under the systemd of the chroot, where the packages are installed: the units as they are shipped, with
 # their whole sandbox. Usage: in_booted.sh FOLDER_OF_NEXT_PACKAGES
 set -u

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # Run inside the chroot by packages.sh: the installed pair with its shipped configuration, each as its user, on DDS.
 # Usage: in_chroot.sh DOMAIN
 set -eu

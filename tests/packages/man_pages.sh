@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Each program's manual page reads without a warning and leaves nothing out: every configuration key of --print-config
 # with its variable and flag, every option and command of --help. Usage: man_pages.sh PROGRAM...
 # shellcheck disable=SC2086  # lists of words on purpose

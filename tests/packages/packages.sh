@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The packages in a Debian of their own: built, checked by lintian, installed with apt into a fresh bookworm, run as their
 # users, upgraded over a changed configuration, removed, purged. Prints a line a check.
 # Usage: packages.sh BUILD_DIR      as root; EHM_DEBIAN_MIRROR names a mirror, else the host's own apt sources do

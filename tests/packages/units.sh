@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The units are correct (systemd-analyze verify), and their sandbox is at most 2.0 on its scale from 0 (safe) to 10. Each
 # check is seen to fail on a unit that deserves it. Usage: units.sh FOLDER_OF_UNITS PROGRAM_FOLDER...
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # What earlier versions recorded is estimated today as it was then: every estimate to the bit, every event with its text.
 # A folder beside this script holds flight.h5 (a monitor's recording), design.json (what flew), events.txt (what the
 # monitor said) and scenario.toml (what engine_sim flew). A change that alters estimates on purpose makes them anew:

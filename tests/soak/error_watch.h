@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Pairs truth and estimate by sequence number and keeps the worst |estimate - truth| / sigma_total of a block.
 //

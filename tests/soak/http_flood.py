@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """HTTP clients that mean harm: the same request again and again, as fast as it is answered.
 
 As a program: http_flood.py PORT, with ranges, headers without end and garbage in turn, until it is ended.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What a soak has seen, against its criteria."""
 
 SENSOR_FAULT, HEALTH_SHIFT, INPUT_LOST, AMBIGUOUS = 1, 2, 5, 11

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One line of the soak's script to the agent becomes one command on DDS.
 //

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The soak's result as text and as one HTML page with plots over time; no file beside it."""
 
 import html

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What a soak does to the pair: one table of disturbances, drawn by a seed, one at a time, each with time to recover.
 
 A disturbance says which events it may raise (anything else raised is unexplained), and which one it must raise.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The processes of a soak: started, killed, paused, watched."""
 
 import fcntl

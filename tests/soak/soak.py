@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs the pair for a long time while a seeded schedule disturbs it, and judges it by criteria. See soak.sh --help."""
 
 import argparse

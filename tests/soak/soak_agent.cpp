@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The soak's eyes and hands on DDS: says as JSON lines what it sees, and turns lines of its input into commands.
 //
 // Every line out has "what" (second, event, status, gap, restart, description), "t" (seconds of source time flown so
@@ -15,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/exit_code.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/realtime/clock.h"
@@ -215,7 +217,7 @@ void serve(Agent& agent) {
     char buffer[4096];
     const ssize_t got = input.revents != 0 ? read(STDIN_FILENO, buffer, sizeof buffer) : -1;
     if (got == 0) return;
-    if (got > 0) pending.append(buffer, static_cast<std::size_t>(got));
+    if (got > 0) pending.append(buffer, as_size(got));
     for (auto end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
       if (!agent.obey(pending.substr(0, end))) return;
       pending.erase(0, end + 1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Lines of standard input without waiting for them. The end of the input is no line: whoever reads goes on without.
 
@@ -6,6 +7,8 @@
 
 #include <optional>
 #include <string>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::test {
 
@@ -18,7 +21,7 @@ class LineInput {
       char piece[512];
       const ssize_t size = read(STDIN_FILENO, piece, sizeof piece);
       if (size <= 0) ended_ = true;
-      if (size > 0) text_.append(piece, static_cast<std::size_t>(size));
+      if (size > 0) text_.append(piece, as_size(size));
     }
     const std::size_t end = text_.find('\n');
     if (end == std::string::npos) return std::nullopt;

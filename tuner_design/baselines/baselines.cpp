@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/baselines/baselines.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/discretise.h"
 #include "tuner_design/baselines/best_subset.h"
 #include "tuner_design/baselines/tuner_baselines.h"
@@ -55,7 +57,7 @@ void add_best_subset(std::vector<Baseline>& table, const Setting& setting, const
                                 options.threads, options.progress);
   if (!best) return;
   std::vector<std::string> names;
-  for (const int i : best->health) names.push_back(setting.model.health[static_cast<std::size_t>(i)].name);
+  for (const int i : best->health) names.push_back(setting.model.health[as_size(i)].name);
   table.push_back(of_filter(
       "best_subset", "best of all " + std::to_string(best->subsets) + " subsets: " + joined(names), best->filter));
 }
@@ -121,8 +123,7 @@ void add_time_varying(std::vector<Baseline>& table, const Setting& setting, doub
 std::size_t subsets_to_try(const Design& design) {
   const Eigen::Index t = design.full.V.rows(), p = design.full.V.cols();
   std::size_t count = 1;
-  for (Eigen::Index i = 1; i <= t; ++i)
-    count = count * static_cast<std::size_t>(p - t + i) / static_cast<std::size_t>(i);
+  for (Eigen::Index i = 1; i <= t; ++i) count = count * as_size(p - t + i) / as_size(i);
   return t < p ? count : 0;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a design is compared with, each on the same model, sensors, noise and Qh, from the worst information to the
 // best:

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/baselines/best_subset.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -9,6 +9,8 @@
 #include <string>
 
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/linear/solver_error.h"
 #include "tuner_design/theory/kalman_error.h"
 #include "tuner_design/theory/kalman_gain.h"
@@ -21,8 +23,8 @@ namespace {
 
 /// Rows of the identity.
 Eigen::MatrixXd chosen_rows(const std::vector<int>& health, Eigen::Index p) {
-  Eigen::MatrixXd V = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(health.size()), p);
-  for (std::size_t i = 0; i < health.size(); ++i) V(static_cast<Eigen::Index>(i), health[i]) = 1.0;
+  Eigen::MatrixXd V = Eigen::MatrixXd::Zero(as_index(health.size()), p);
+  for (std::size_t i = 0; i < health.size(); ++i) V(as_index(i), health[i]) = 1.0;
   return V;
 }
 
@@ -80,9 +82,9 @@ std::optional<BestSubset> best_subset(const linear_model::LinearModel& model, co
       progress);
   const auto least = std::min_element(value.begin(), value.end());
   if (*least == none) return std::nullopt;
-  const auto& health = subsets[static_cast<std::size_t>(least - value.begin())];
+  const auto& health = subsets[as_size(least - value.begin())];
   return BestSubset{health, filter_on_tuners(model, steady, chosen_rows(health, p), qh_percent2).value(),
-                    subsets.size(), static_cast<std::size_t>(std::count(value.begin(), value.end(), none))};
+                    subsets.size(), as_size(std::count(value.begin(), value.end(), none))};
 }
 
 }  // namespace ehm::tuner_design

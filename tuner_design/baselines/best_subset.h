@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The best choice of t health parameters as tuners, exactly: the Kalman filter and its error theory (kalman_error.h)
 // for every one of the C(p, t) subsets, ranked by the relative error J (relative_error.h). A subset that the sensors

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/baselines/tuner_baselines.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -20,15 +23,15 @@ std::string common_name(const std::string& name) {
 }  // namespace
 
 Eigen::MatrixXd subset_tuners(const linear_model::LinearModel& model, const std::vector<std::string>& names) {
-  const auto p = static_cast<Eigen::Index>(model.health.size());
-  Eigen::MatrixXd V = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(names.size()), p);
+  const auto p = as_index(model.health.size());
+  Eigen::MatrixXd V = Eigen::MatrixXd::Zero(as_index(names.size()), p);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto found = std::find_if(model.health.begin(), model.health.end(),
                                     [&](const linear_model::Channel& channel) { return channel.name == names[i]; });
     if (found == model.health.end()) {
       throw std::invalid_argument("subset of tuners: the model has no health parameter " + names[i]);
     }
-    V(static_cast<Eigen::Index>(i), found - model.health.begin()) = 1.0;
+    V(as_index(i), found - model.health.begin()) = 1.0;
   }
   return V;
 }

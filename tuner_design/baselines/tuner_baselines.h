@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Tuner matrices that a design is compared with ([SG] sections "subset" and "SVD"). The bench ranks them by the error
 // of kalman_error.h; all are in scaled units.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/baselines_command.h"
 
 #include <memory>
@@ -7,7 +8,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "monitor/design/design_file.h"
-#include "tuner_design/print/baseline_report.h"
+#include "tuner_design/print/baseline_text.h"
 
 namespace ehm::tuner_design {
 namespace {

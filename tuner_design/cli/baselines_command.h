@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `tuner_design baselines DESIGN`: a design beside everything it is to be compared with.
 

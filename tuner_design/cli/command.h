@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the subcommands of tuner_design share: where they write, and the options that every one of them has.
 //   --json       one JSON object on the standard output instead of tables, with the same numbers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/commands.h"
 
 #include <CLI/CLI.hpp>
@@ -18,7 +19,7 @@
 #include "tuner_design/cli/sensors_command.h"
 #include "tuner_design/cli/study_command.h"
 #include "tuner_design/cli/sweep_command.h"
-#include "tuner_design/print/check_report.h"
+#include "tuner_design/print/check_text.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The command line of tuner_design; `--help` lists the commands. Exit codes:
 //   0 done    1 the data are wrong or a computation failed, the reason is on `err`    2 the command line is wrong

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/design_command.h"
 
 #include <cmath>
@@ -8,12 +9,13 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/cli/import_options.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/design/response_time.h"
-#include "tuner_design/print/check_report.h"
-#include "tuner_design/print/design_report.h"
+#include "tuner_design/print/check_text.h"
+#include "tuner_design/print/design_text.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -68,9 +70,8 @@ std::vector<design::Design> designs_of(const Arguments& arguments, const std::ve
   weights.resize(models.size(), 1.0);
   if (arguments.time_constant_s)
     options.qh_percent2 = qh_for_time_constant(models, weights, options, *arguments.time_constant_s);
-  return design_envelope(models, weights, options, arguments.threads, [&](double share) {
-    bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps)));
-  });
+  return design_envelope(models, weights, options, arguments.threads,
+                         [&](double share) { bar.show(as_size(share * static_cast<double>(progress_steps))); });
 }
 
 void design_to_files(const Arguments& arguments, const Console& console) {

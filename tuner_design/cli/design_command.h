@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `tuner_design design`: one linear model, or several of one envelope, become design files.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/engine_option.h"
 
 #include "engine_sim/engines/shipped_engines.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // --engine NAME|FILE: which nonlinear engine a subcommand flies.
 

@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/evaluate_command.h"
 
 #include <memory>
 
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/cli/engine_option.h"
-#include "tuner_design/print/evaluation_report.h"
+#include "tuner_design/print/evaluation_text.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -23,9 +25,8 @@ struct Arguments {
 Evaluation evaluated(const design::Design& design, const Arguments& arguments, const Console& console) {
   long_work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
   try {
-    return evaluate(design, arguments.options, [&](double share) {
-      bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps)));
-    });
+    return evaluate(design, arguments.options,
+                    [&](double share) { bar.show(as_size(share * static_cast<double>(progress_steps))); });
   } catch (const std::invalid_argument& error) {
     throw files::FileError(arguments.design + ": " + error.what());
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // tuner_design evaluate DESIGN.json: theory beside experiment, on the linear truth, the nonlinear engine, or both.
 

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/fault_study_command.h"
 
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
-#include "tuner_design/print/false_alarm_report.h"
-#include "tuner_design/print/fault_study_report.h"
+#include "tuner_design/print/false_alarm_text.h"
+#include "tuner_design/print/fault_study_text.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -23,8 +25,7 @@ auto studied(const FaultStudyArguments& arguments, const char* name, const std::
   const design::Design design = design::read_design(arguments.design);
   long_work::ProgressBar bar = progress_bar(console, output, progress_steps);
   try {
-    return study(
-        design, [&](double share) { bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps))); });
+    return study(design, [&](double share) { bar.show(as_size(share * static_cast<double>(progress_steps))); });
   } catch (const std::invalid_argument& error) {
     throw files::FileError(arguments.design + ": " + error.what());
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `tuner_design study faults --design D.json`: how well the monitor finds and names faults on the nonlinear engine.
 // `tuner_design study false-alarms --design D.json`: how often it finds some where nothing is broken, on any engine.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/import_command.h"
 
 #include <algorithm>
@@ -7,10 +8,11 @@
 #include <ostream>
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/model_file.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "tuner_design/cli/import_options.h"
-#include "tuner_design/print/check_report.h"
+#include "tuner_design/print/check_text.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -34,8 +36,7 @@ struct ScaledList {
 std::vector<ScaledList> scaled_lists(const linear_model::LinearModel& model, const linear_model::LinearModel& scaled,
                                      const linear_model::Scaling& scaling) {
   return {{"state", model.states, scaled.states, scaling.state},
-          {"control", model.controls, scaled.controls,
-           Eigen::VectorXd::Ones(static_cast<Eigen::Index>(model.controls.size()))},
+          {"control", model.controls, scaled.controls, Eigen::VectorXd::Ones(as_index(model.controls.size()))},
           {"health", model.health, scaled.health, scaling.health},
           {"sensor", model.sensors, scaled.sensors, scaling.sensor},
           {"auxiliary", model.auxiliary, scaled.auxiliary, scaling.auxiliary}};
@@ -50,7 +51,7 @@ nlohmann::ordered_json as_json(const CheckedFile& file, const std::vector<Scaled
                                  {"name", list.channels[i].name},
                                  {"unit", list.channels[i].unit},
                                  {"trim", list.channels[i].trim},
-                                 {"scale", list.scale(static_cast<Eigen::Index>(i))},
+                                 {"scale", list.scale(as_index(i))},
                                  {"scaled_unit", list.scaled[i].unit}});
     }
   }
@@ -71,9 +72,8 @@ void print_scaling(const std::vector<ScaledList>& lists, std::ostream& out) {
   for (const ScaledList& list : lists) {
     for (std::size_t i = 0; i < list.channels.size(); ++i) {
       out << "    " << std::left << std::setw(11) << list.kind << std::setw(name_width) << list.channels[i].name
-          << std::right << std::setw(14) << list.channels[i].trim << std::setw(14)
-          << list.scale(static_cast<Eigen::Index>(i)) << "  " << list.channels[i].unit << " -> " << list.scaled[i].unit
-          << '\n';
+          << std::right << std::setw(14) << list.channels[i].trim << std::setw(14) << list.scale(as_index(i)) << "  "
+          << list.channels[i].unit << " -> " << list.scaled[i].unit << '\n';
     }
   }
 }

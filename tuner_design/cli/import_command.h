@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `tuner_design import IN --out M.json`: a user's matrices as an ehm-linear-model/1 file. Says dimensions, units, how
 // each channel is scaled, and what was assumed. A model that no design can be made of is refused, and nothing is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The options that every command with a linear model has, for what a user's file may leave unstated.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/linearise_command.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <optional>
 #include <ostream>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/model_file.h"
 #include "tuner_design/cli/engine_option.h"
 #include "tuner_design/linearise/linearise.h"
@@ -47,7 +49,7 @@ std::size_t parse_health(const std::string& text, double& value) {
     for (const auto& known_name : names) known += (known.empty() ? "" : ", ") + std::string(known_name);
     throw CLI::ValidationError("--health", "'" + text + "' is not name=fraction with a name of: " + known);
   }
-  return static_cast<std::size_t>(found - names.begin());
+  return as_size(found - names.begin());
 }
 
 nlohmann::ordered_json as_json(const Linearisation& result, const Arguments& arguments) {

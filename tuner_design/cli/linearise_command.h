@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `tuner_design linearise`: the engine at one operating point becomes a linear model file.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/report_command.h"
 
 #include <filesystem>
@@ -7,9 +8,10 @@
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/cli/engine_option.h"
-#include "tuner_design/print/design_report.h"
+#include "tuner_design/print/design_text.h"
 #include "tuner_design/report/design_page.h"
 
 namespace ehm::tuner_design {
@@ -44,12 +46,11 @@ nlohmann::ordered_json page_as_json(const report::Page& page, const design::Desi
 report::Studies studies_of(const design::Design& design, const ReportArguments& arguments, const Console& console) {
   constexpr std::size_t steps = 1000;
   long_work::ProgressBar bar = progress_bar(console, arguments.output, steps);
-  return report::run_studies(design, {.quick = arguments.quick,
-                                      .engine = arguments.engine.engine(),
-                                      .threads = arguments.threads,
-                                      .progress = [&](double share) {
-                                        bar.show(static_cast<std::size_t>(share * static_cast<double>(steps)));
-                                      }});
+  return report::run_studies(
+      design, {.quick = arguments.quick,
+               .engine = arguments.engine.engine(),
+               .threads = arguments.threads,
+               .progress = [&](double share) { bar.show(as_size(share * static_cast<double>(steps))); }});
 }
 
 void write_report(const ReportArguments& arguments, const Console& console) {

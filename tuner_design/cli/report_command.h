@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // tuner_design report DESIGN.json -o report.html [--csv-dir DIR]: a design explained on one self-contained page.
 

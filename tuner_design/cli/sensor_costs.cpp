@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/sensor_costs.h"
 
 #include <algorithm>
@@ -5,6 +6,7 @@
 
 #include "deploy/runtime/files/csv_table.h"
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -37,7 +39,7 @@ void read_file(const std::vector<Channel>& sensors, const std::string& path, std
 
 std::size_t sensor_index(const std::vector<Channel>& sensors, const std::string& name, const std::string& place) {
   const auto found = std::find_if(sensors.begin(), sensors.end(), [&](const Channel& s) { return s.name == name; });
-  if (found != sensors.end()) return static_cast<std::size_t>(found - sensors.begin());
+  if (found != sensors.end()) return as_size(found - sensors.begin());
   std::string known;
   for (const Channel& sensor : sensors) known += (known.empty() ? "" : ", ") + sensor.name;
   throw FileError(place + ": unknown sensor " + files::in_quotes(name) + "; allowed: " + known);

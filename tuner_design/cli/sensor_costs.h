@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What each candidate sensor costs, from the command line. Cost is in any unit the user likes; 1 where nothing is said.
 //   NAME=VALUE   one sensor        FILE   CSV with the columns sensor, cost

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/sensors_command.h"
 
 #include <memory>
@@ -10,7 +11,7 @@
 #include "tuner_design/cli/design_command.h"
 #include "tuner_design/cli/import_options.h"
 #include "tuner_design/cli/sensor_costs.h"
-#include "tuner_design/print/sensor_report.h"
+#include "tuner_design/print/sensor_text.h"
 
 namespace ehm::tuner_design {
 namespace {

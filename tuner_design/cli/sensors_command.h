@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `tuner_design sensors MODEL`: which of the model's sensors are worth having, by cost against accuracy.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/study_command.h"
 
 #include <memory>
@@ -6,12 +7,13 @@
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/cli/design_command.h"
 #include "tuner_design/cli/engine_option.h"
 #include "tuner_design/cli/fault_study_command.h"
 #include "tuner_design/cli/import_options.h"
 #include "tuner_design/linearise/linearise.h"
-#include "tuner_design/print/check_report.h"
+#include "tuner_design/print/check_text.h"
 #include "tuner_design/studies/half_worn.h"
 #include "tuner_design/studies/simon_garg_table.h"
 
@@ -62,9 +64,8 @@ void run_study(Arguments arguments, const Console& console) {
   SimonGargStudy study;
   try {
     long_work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
-    study = run_simon_garg(imported.model, arguments.options, [&](double share) {
-      bar.show(static_cast<std::size_t>(share * static_cast<double>(progress_steps)));
-    });
+    study = run_simon_garg(imported.model, arguments.options,
+                           [&](double share) { bar.show(as_size(share * static_cast<double>(progress_steps))); });
   } catch (const std::invalid_argument& error) {
     throw files::FileError((arguments.model.empty() ? "" : arguments.model + ": ") + error.what());
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `tuner_design study NAME`: the tables of the papers on our engine, or on a model of the user's.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // `tuner_design sweep`: response time against accuracy of a design, for a range of Qh.
 

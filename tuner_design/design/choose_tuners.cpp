@@ -1,10 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/design/choose_tuners.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/decompositions.h"
 #include "tuner_design/baselines/tuner_baselines.h"
 #include "tuner_design/search/row_space.h"
 

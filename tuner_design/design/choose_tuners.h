@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tuners V* of one sensor set, for one operating point or for an envelope of several.
 //   closed form   V = T H Ph: the bias of the filter is least when range(W) = range(Ph H^T), for health and

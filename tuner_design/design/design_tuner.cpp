@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/design/design_tuner.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <stdexcept>
 
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/detectability.h"
 #include "monitor/estimation/linear/solver_error.h"
 #include "tuner_design/design/choose_tuners.h"
@@ -33,7 +35,7 @@ Observability observability_of(const PreparedPoint& point, const std::vector<int
   part.health = point.model.health;
   part.health_sigma = point.model.health_sigma;
   part.sensor_noise_sigma = point.model.sensor_noise_sigma(sensors);
-  for (const int sensor : sensors) part.sensors.push_back(point.model.sensors[static_cast<std::size_t>(sensor)]);
+  for (const int sensor : sensors) part.sensors.push_back(point.model.sensors[as_size(sensor)]);
   return steady_observability(part, point.steady.H(sensors, Eigen::all));
 }
 
@@ -223,7 +225,7 @@ std::vector<std::string> worse_than_prior(const SubsetDesign& design, const Line
                                           const linear_model::Scaling& scaling) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < model.health.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = as_index(i);
     const double prior = model.health_sigma(at) / scaling.health(at);
     if (design.health_total_covariance(at, at) > prior * prior) names.push_back(model.health[i].name);
   }

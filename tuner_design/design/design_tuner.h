@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From linear models to finished designs: one design for all sensors, and one without each single sensor. Which tuners:
 // choose_tuners.h; how many: tuner_number.h. Several models are the points of an envelope: their full sensor sets share

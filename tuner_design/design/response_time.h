@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Response time against accuracy. Larger Qh answers faster and scatters more; at each Qh the tuners are searched anew.
 //   slowest time constant  tau(Qh, V) = -T_sample / ln(spectral radius of Acl), falls as Qh rises

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/design/tuner_number.h"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/theory/observability.h"
 
 namespace ehm::tuner_design {
@@ -51,7 +52,7 @@ std::vector<int> seeing_sensors(const std::vector<PreparedPoint>& points, const 
         fleet_signal(point, sensors).rowwise().norm().cwiseQuotient(point.model.sensor_noise_sigma(sensors));
     const double least = Observability::relative_tolerance * signal.maxCoeff();
     for (std::size_t i = 0; i < sensors.size(); ++i) {
-      const double own = signal(static_cast<Eigen::Index>(i));
+      const double own = signal(as_index(i));
       sees[i] = sees[i] || (own > 0.0 && own > least);
     }
   }
@@ -64,8 +65,7 @@ std::vector<int> seeing_sensors(const std::vector<PreparedPoint>& points, const 
 std::vector<std::string> blind_sensors(const linear_model::LinearModel& model, const std::vector<int>& seeing) {
   std::vector<std::string> names;
   for (const int i : all_sensors(model))
-    if (!std::binary_search(seeing.begin(), seeing.end(), i))
-      names.push_back(model.sensors[static_cast<std::size_t>(i)].name);
+    if (!std::binary_search(seeing.begin(), seeing.end(), i)) names.push_back(model.sensors[as_size(i)].name);
   return names;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How many tuners a set of sensors gives: as many as combinations of health that it can teach. Rank decides, not the
 // number of sensors. With G = H Ph^1/2 (m x p), what each sensor shows of the fleet, two limits, both of physics:

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/faults/false_alarm_study.h"
 
 #include <cmath>
 #include <memory>
 
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/discretise.h"
 #include "idl/wire_values.h"
 #include "monitor/cycle/monitor_cycle.h"
@@ -76,8 +78,8 @@ class LinearFleet {
       sample.sequence = static_cast<std::uint64_t>(k);
       sample.source_time_ns = std::llround(1e9 * model.sample_time_s * k);
       for (Eigen::Index i = 0; i < dy.size(); ++i)
-        sample.sensor[static_cast<std::size_t>(i)] =
-            model.sensors[static_cast<std::size_t>(i)].trim + dy(i) + model.sensor_noise_sigma(i) * random.normal();
+        sample.sensor[as_size(i)] =
+            model.sensors[as_size(i)].trim + dy(i) + model.sensor_noise_sigma(i) * random.normal();
       cycle.process(sample);
       if (k >= settle_samples_) {
         for (const monitor::Event& event : cycle.events()) note(event, tally);
@@ -148,7 +150,7 @@ FalseAlarmStudy run_false_alarm_study(const design::Design& design, const FalseA
                                       const std::function<void(double share)>& progress) {
   const LinearFleet fleet(design, options.process_noise);
   FalseAlarmStudy study;
-  study.flights = static_cast<std::size_t>(std::ceil(3600.0 * options.hours / flight_s));
+  study.flights = as_size(std::ceil(3600.0 * options.hours / flight_s));
   study.flight_s = flight_s;
   study.hours = static_cast<double>(study.flights) * flight_s / 3600.0;
   study.process_noise = options.process_noise;

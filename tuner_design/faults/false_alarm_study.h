@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How often does the monitor cry wolf? Engines of the fleet with nothing broken fly before the monitor's own cycle, on
 // the design's linear model with its sensors' noise and its process noise, so that any engine can be tried, also one

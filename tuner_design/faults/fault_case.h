@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The cases of the fault study, in one table: what breaks, how much, and how often it comes in a round.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/faults/fault_flight.h"
 
 #include <algorithm>
@@ -5,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/simulation.h"
 #include "idl/wire_values.h"
 #include "monitor/cycle/monitor_cycle.h"
@@ -51,7 +53,7 @@ engine_sim::Scenario scenario_of(const StudyEngine& study, RandomStream& random)
   scenario.demand = {engine_sim::DemandKind::n1_rpm, fan_speed_trim(model)};
   for (std::size_t i = 0; i < model.health.size(); ++i)
     scenario.wear[study.engine->channels.health[i].parameter].initial =
-        model.health[i].trim + model.health_sigma(static_cast<Eigen::Index>(i)) * random.normal();
+        model.health[i].trim + model.health_sigma(as_index(i)) * random.normal();
   scenario.seed = static_cast<std::int64_t>(random.bits() >> 12);
   return scenario;
 }
@@ -180,7 +182,7 @@ FaultOutcome fly_case(const StudyEngine& study, const FaultCase& what, std::uint
   RandomStream random(seed, index);
   engine_sim::Scenario scenario = scenario_of(study, random);
   const double onset_s = settled_after_s(*study.prepared.design) + random.uniform();
-  const auto channel = static_cast<Eigen::Index>(what.channel);
+  const auto channel = as_index(what.channel);
   if (what.row->broken == Broken::component)
     scenario.health_changes.push_back(
         {onset_s, study.engine->channels.health[what.channel].parameter, what.row->size, 0.0});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One engine of the fleet flies before the very cycle that the monitor flies: nonlinear engine, its control holding the
 // fan speed at the design's operating point, sensors with the noise of the simulator, no DDS.

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/faults/fault_study.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -64,8 +66,7 @@ void sum_up(FaultStudy& study) {
     study.not_flown += !outcome.flown;
     study.largest_step_sigmas = std::max(study.largest_step_sigmas, outcome.largest_step_sigmas);
   }
-  for (std::size_t i = 0; i < study.cases.size(); ++i)
-    study.early_alarms += static_cast<std::size_t>(study.outcomes[i].false_alarms);
+  for (std::size_t i = 0; i < study.cases.size(); ++i) study.early_alarms += as_size(study.outcomes[i].false_alarms);
   FaultRowSummary five, component;
   for (const FaultRowSummary& s : study.rows) {
     if (s.row->broken == Broken::component) component = s;
@@ -93,7 +94,7 @@ FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions
   for (std::size_t c = 0; c < options.cases; ++c) study.cases.push_back(round[c % round.size()]);
   study.outcomes.resize(options.cases);
 
-  const auto flights = static_cast<std::size_t>(std::ceil(3600.0 * options.hours / healthy_flight_s));
+  const auto flights = as_size(std::ceil(3600.0 * options.hours / healthy_flight_s));
   std::vector<FaultOutcome> healthy(flights);
   const std::size_t all = options.cases + flights;
   long_work::parallel_for(
@@ -112,7 +113,7 @@ FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions
     study.not_flown += !outcome.flown;
     if (!outcome.flown) continue;
     study.fault_free_hours += healthy_flight_s / 3600.0;
-    study.false_alarms += static_cast<std::size_t>(outcome.false_alarms);
+    study.false_alarms += as_size(outcome.false_alarms);
   }
   return study;
 }

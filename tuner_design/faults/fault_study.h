@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The study of the fault detector: seeded cases from the table (fault_case.h) and hours with nothing broken, all on the
 // nonlinear engine with the monitor's own cycle (fault_flight.h). The same seed gives the same study on any number of

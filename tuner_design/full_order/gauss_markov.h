@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The full-order Gauss-Markov filter as the bench compares it: its gain is that which flies
 // (monitor/design/gauss_markov_design.h), and its error over a fleet of constant h that of kalman_error.h, with its A.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The limit for N samples: expected squared error of the time-varying full-order Kalman filter, by channel, after it
 // has seen N samples of one settled engine of the fleet (monitor/estimation/time_varying_filter.h, which is what runs

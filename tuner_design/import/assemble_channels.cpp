@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/import/assemble_channels.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -38,10 +40,10 @@ std::vector<bool> assemble_list(const Variables& given, const Kind& kind, std::s
                                 std::vector<Channel>& channels) {
   const auto names = texts_of(given, kind.variable + "_names", size, kind.each);
   const auto units = texts_of(given, kind.variable + "_units", size, kind.each);
-  const Eigen::VectorXd trims = vector_of(given, kind.variable + "_trim", static_cast<Eigen::Index>(size), kind.each);
+  const Eigen::VectorXd trims = vector_of(given, kind.variable + "_trim", as_index(size), kind.each);
   std::vector<bool> percent(size), no_trim(size), no_unit(size), no_name(size);
   for (std::size_t i = 0; i < size; ++i) {
-    const double trim = trims(static_cast<Eigen::Index>(i));
+    const double trim = trims(as_index(i));
     const bool has_trim = std::isfinite(trim), has_unit = !units[i].empty();
     no_name[i] = names[i].empty();
     percent[i] = !has_trim && !has_unit;
@@ -62,11 +64,11 @@ void assemble_health(const Variables& given, bool in_percent, std::size_t size, 
   const std::string each = "column of L";
   const auto names = texts_of(given, "health_names", size, each);
   const auto units = texts_of(given, "health_units", size, each);
-  const Eigen::VectorXd trims = vector_of(given, "health_trim", static_cast<Eigen::Index>(size), each);
+  const Eigen::VectorXd trims = vector_of(given, "health_trim", as_index(size), each);
   const std::string unit = in_percent ? "percent" : "fraction";
   std::vector<bool> no_name(size), no_unit(size);
   for (std::size_t i = 0; i < size; ++i) {
-    const double trim = trims(static_cast<Eigen::Index>(i));
+    const double trim = trims(as_index(i));
     no_name[i] = names[i].empty();
     no_unit[i] = units[i].empty();
     result.model.health.push_back({no_name[i] ? "h" + std::to_string(i + 1) : names[i], no_unit[i] ? unit : units[i],
@@ -103,7 +105,7 @@ std::string listed(const std::vector<Channel>& channels, const std::vector<bool>
 
 void assemble_channels(const Variables& given, ImportedModel& result) {
   linear_model::LinearModel& model = result.model;
-  const auto size = [](Eigen::Index value) { return static_cast<std::size_t>(value); };
+  const auto size = [](Eigen::Index value) { return as_size(value); };
   assemble_list(given, {"state", "x", "row of A"}, size(model.A.rows()), result, model.states);
   assemble_list(given, {"control", "u", "column of B"}, size(model.B.cols()), result, model.controls);
   const auto percent = assemble_list(given, {"sensor", "y", "row of C"}, size(model.C.rows()), result, model.sensors);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Names, units, trims and standard deviations of the channels, where a file may leave each of them unstated:
 //   name    x1.. u1.. h1.. y1.. z1..

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/import/assemble_matrices.h"
 
 #include "deploy/runtime/files/file_error.h"

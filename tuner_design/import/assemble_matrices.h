@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The nine matrices of a model, and their dimensions, from named variables.
 

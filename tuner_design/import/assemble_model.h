@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From named variables to a linear model, for every format that may leave things unstated.
 //   n rows of A, nu columns of B, p columns of L, m rows of C, r rows of F. A, L, C, M must be there; without B (or

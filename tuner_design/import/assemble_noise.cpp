@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/import/assemble_noise.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 #include "deploy/runtime/files/csv_table.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/json_object.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "engine_sim/linear_model/sensor_noise.h"
 #include "monitor/estimation/steady_gain.h"
@@ -55,11 +57,11 @@ Eigen::VectorXd sigmas_of_covariance(const Variables& given, Eigen::Index m) {
 
 void assemble_health_sigma(const Variables& given, const ImportOptions& options, ImportedModel& result) {
   LinearModel& model = result.model;
-  model.health_sigma = sigmas(given, "health_sigma", static_cast<Eigen::Index>(model.health.size()), "column of L");
+  model.health_sigma = sigmas(given, "health_sigma", as_index(model.health.size()), "column of L");
   const double percent = options.health_sigma_percent.value_or(ImportOptions::default_health_sigma_percent);
   std::vector<bool> missing(model.health.size());
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    double& sigma = model.health_sigma(static_cast<Eigen::Index>(i));
+    double& sigma = model.health_sigma(as_index(i));
     missing[i] = std::isnan(sigma);
     const bool in_percent = model.health[i].unit == "percent" || model.health[i].unit == "%";
     if (missing[i]) sigma = in_percent ? percent : percent / 100.0;
@@ -83,7 +85,7 @@ void require_plausible_noise(const Variables& given, const LinearModel& model, c
     return;  // check_model says why there is no steady state
   }
   for (std::size_t i = 0; i < assumed.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = as_index(i);
     const double spread = (H.row(at) * model.health_sigma.asDiagonal()).norm();
     if (!assumed[i] || model.sensor_noise_sigma(at) >= least * spread) continue;
     throw files::FileError(given.source + ": the noise of sensor " + model.sensors[i].name + " (" +
@@ -95,7 +97,7 @@ void require_plausible_noise(const Variables& given, const LinearModel& model, c
 
 void assemble_sensor_noise(const Variables& given, const ImportOptions& options, ImportedModel& result) {
   LinearModel& model = result.model;
-  const auto m = static_cast<Eigen::Index>(model.sensors.size());
+  const auto m = as_index(model.sensors.size());
   const bool covariance = given.find("R") != nullptr && given.find("R")->size() > 0;
   Eigen::VectorXd& sigma = model.sensor_noise_sigma;
   sigma = sigmas(given, "sensor_noise_sigma", m, "row of C");
@@ -105,7 +107,7 @@ void assemble_sensor_noise(const Variables& given, const ImportOptions& options,
   const double percent = options.sensor_noise_percent.value_or(ImportOptions::default_sensor_noise_percent);
   std::vector<bool> missing(model.sensors.size());
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = as_index(i);
     missing[i] = std::isnan(sigma(at));
     if (!missing[i]) continue;
     const double one_percent = linear_model::percent_of_trim(model.sensors[i], 0.0);
@@ -153,7 +155,7 @@ void assume_process_noise(const Variables& given, const ImportOptions& options, 
   const double percent = options.process_noise_percent.value_or(ImportOptions::default_process_noise_percent);
   Eigen::VectorXd sigma(model.A.rows());
   for (Eigen::Index i = 0; i < sigma.size(); ++i) {
-    const linear_model::Channel& state = model.states[static_cast<std::size_t>(i)];
+    const linear_model::Channel& state = model.states[as_size(i)];
     sigma(i) = percent * linear_model::percent_of_trim(state, 0.0);
     if (sigma(i) > 0.0) continue;
     throw files::FileError(given.source +

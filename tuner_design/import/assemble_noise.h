@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Standard deviations of health and of the sensors' noise, and the process noise, from named variables or, where these
 // do not state them, from the options in percent.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/import/csv_folder.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "deploy/runtime/files/csv_table.h"
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -30,10 +32,10 @@ Eigen::MatrixXd read_matrix(const std::string& file) {
   if (rows.empty()) return {};
   Eigen::MatrixXd matrix(rows.size(), rows.front().cells.size());
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const CsvRow& row = rows[static_cast<std::size_t>(i)];
+    const CsvRow& row = rows[as_size(i)];
     const std::string place = file + ":" + std::to_string(row.line);
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-      const auto column = static_cast<std::size_t>(j);
+      const auto column = as_size(j);
       matrix(i, j) = number(row.cells[column], place, "column " + std::to_string(j + 1));
       if (files::is_torn_off(row, column))
         refuse(place, "column " + std::to_string(j + 1), row.cells[column],

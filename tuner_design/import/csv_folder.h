@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A linear model as a folder of CSV files.
 //   A.csv L.csv C.csv M.csv, B.csv D.csv F.csv G.csv N.csv, Q.csv R.csv, linearisation_error.csv

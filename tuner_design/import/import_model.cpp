@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/import/import_model.h"
 
 #include <filesystem>

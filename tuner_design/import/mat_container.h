@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The outer form of a MATLAB v5 file: a header of 128 bytes (text, version 0x0100, "IM" or "MI" for the order of
 // bytes), then elements {type u32, size u32, data}: miMATRIX (14), or miCOMPRESSED (15), a deflated miMATRIX.

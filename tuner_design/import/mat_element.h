@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Whether an array of a MATLAB v5 file holds what its sizes claim, with everything in it. An array (miMATRIX) is
 //   flags {class, complex}, dimensions, name, then by class: numbers or characters; row numbers, column starts and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/import/mat_file.h"
 
 #include <sys/mman.h>
@@ -15,6 +16,7 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/input_file.h"
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/import/mat_container.h"
 #include "tuner_design/import/mat_value.h"
 
@@ -33,7 +35,7 @@ class MemoryFile {
       const ssize_t written = ::write(descriptor_, content.data(), content.size());
       if (written < 0 && errno == EINTR) continue;
       if (written <= 0) break;
-      content.remove_prefix(static_cast<std::size_t>(written));
+      content.remove_prefix(as_size(written));
     }
     if (descriptor_ >= 0 && content.empty()) return;
     if (descriptor_ >= 0) ::close(descriptor_);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A linear model as a MATLAB v5 file, which save writes with -v6, or compressed with -v7; Octave and scipy write it,
 // too. Its variables are those of variables.h, at the top level or as fields of one structure. Read by libmatio.

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/import/mat_object.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/import/mat_reader.h"
 
 namespace ehm::tuner_design {
@@ -51,7 +53,7 @@ class Hider {
       const auto element = reader.next();
       if (!element) return;
       const std::string& field = fields[i % fields.size()];
-      const auto at = static_cast<std::size_t>(element->data.data() - image_.data());
+      const auto at = as_size(element->data.data() - image_.data());
       visit(at, element->data.size(), field.empty() ? path : path + "." + field);
     }
   }

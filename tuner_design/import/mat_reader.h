@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The inner form of a MATLAB v5 array: elements {type u32, size u32, data padded to 8 bytes}, or up to four bytes of data
 // in one word {size u16, type u16, data}. An array is its flags {class, ...}, dimensions, name, then what its class has;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/import/mat_value.h"
 
 #include <cmath>
@@ -5,6 +6,7 @@
 #include <cstring>
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -119,15 +121,13 @@ Eigen::MatrixXd full_numbers(const matvar_t& variable, Shape shape, const std::s
 Eigen::MatrixXd sparse_numbers(const matvar_t& variable, Shape shape, const std::string& place) {
   if (variable.isComplex != 0) refuse_complex(place);
   const auto* sparse = static_cast<const mat_sparse_t*>(variable.data);
-  Eigen::MatrixXd result =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(shape.rows), static_cast<Eigen::Index>(shape.cols));
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(as_index(shape.rows), as_index(shape.cols));
   if (sparse == nullptr || sparse->jc == nullptr || sparse->njc != shape.cols + 1) refuse_damaged(place);
   for (std::size_t col = 0; col < shape.cols; ++col) {
     for (std::size_t k = sparse->jc[col]; k < sparse->jc[col + 1]; ++k) {
       if (k >= sparse->nir || k >= sparse->ndata || sparse->ir[k] >= shape.rows || sparse->data == nullptr)
         refuse_damaged(place);
-      result(static_cast<Eigen::Index>(sparse->ir[k]), static_cast<Eigen::Index>(col)) =
-          entry(variable.data_type, sparse->data, k);
+      result(as_index(sparse->ir[k]), as_index(col)) = entry(variable.data_type, sparse->data, k);
     }
   }
   return result;
@@ -184,7 +184,7 @@ Eigen::MatrixXd mat_numbers(const matvar_t& variable, const std::string& place) 
   for (Eigen::Index j = 0; j < result.cols(); ++j) {
     for (Eigen::Index i = 0; i < result.rows(); ++i) {
       if (std::isfinite(result(i, j))) continue;
-      throw FileError(position(place, static_cast<std::size_t>(i), static_cast<std::size_t>(j)) + " is " +
+      throw FileError(position(place, as_size(i), as_size(j)) + " is " +
                       (std::isnan(result(i, j)) ? "NaN" : "infinite") +
                       "; allowed: a finite number. Derive it again, or leave the variable out if it is optional.");
     }

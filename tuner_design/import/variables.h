@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a user's file or folder states, by name, before it becomes a LinearModel; every format is read into this.
 // The names are those of the table in deploy/docs/own_engine.md, "Names".

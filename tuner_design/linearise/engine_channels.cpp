@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/linearise/engine_channels.h"
 
 #include <limits>
 #include <span>
 #include <string>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::tuner_design {
 
@@ -31,7 +34,7 @@ std::vector<Eigen::Index> EngineLayout::settled_inputs() const {
   std::vector<Eigen::Index> at;
   for (Eigen::Index i = 1; i < states(); ++i) at.push_back(i);
   for (std::size_t i = 0; i < channels().controls.size(); ++i)
-    if (channels().controls[i]->name == "fuel_flow") at.push_back(controls() + static_cast<Eigen::Index>(i));
+    if (channels().controls[i]->name == "fuel_flow") at.push_back(controls() + as_index(i));
   return at;
 }
 

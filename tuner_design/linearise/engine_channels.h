@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The nonlinear engine as a function f(v) of a point of operation, with the channels that its engine file names:
 //   v = [N1 N2 (Tm_hpc Tm_hpt Tm_lpt) | controls | health]     rpm, K, units of channel_table.h, fraction
@@ -9,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/engine_definition.h"
 #include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/model/solve/steady.h"
@@ -22,11 +24,11 @@ struct EngineLayout {
   bool heat_soak = false;
 
   const engine_sim::NamedChannels& channels() const { return engine->channels; }
-  Eigen::Index states() const { return 2 + (heat_soak ? static_cast<Eigen::Index>(engine_sim::metal_count) : 0); }
-  Eigen::Index control_count() const { return static_cast<Eigen::Index>(channels().controls.size()); }
-  Eigen::Index health_count() const { return static_cast<Eigen::Index>(channels().health.size()); }
-  Eigen::Index sensor_count() const { return static_cast<Eigen::Index>(channels().sensors.size()); }
-  Eigen::Index auxiliary_count() const { return static_cast<Eigen::Index>(channels().auxiliary.size()); }
+  Eigen::Index states() const { return 2 + (heat_soak ? as_index(engine_sim::metal_count) : 0); }
+  Eigen::Index control_count() const { return as_index(channels().controls.size()); }
+  Eigen::Index health_count() const { return as_index(channels().health.size()); }
+  Eigen::Index sensor_count() const { return as_index(channels().sensors.size()); }
+  Eigen::Index auxiliary_count() const { return as_index(channels().auxiliary.size()); }
   Eigen::Index controls() const { return states(); }                  ///< in v
   Eigen::Index health() const { return states() + control_count(); }  ///< in v
   Eigen::Index inputs() const { return health() + health_count(); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Is a linear model of this engine? By type and by hash of the engine's content (engine_file.h); a model that states no
 // hash, made before there were engine files, is taken at its type.

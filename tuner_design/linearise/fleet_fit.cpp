@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/linearise/fleet_fit.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <stdexcept>
 #include <string>
 
-#include "engine_sim/sensors/noise_source.h"
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/noise_source.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -35,7 +35,7 @@ Eigen::MatrixXd mean_slopes(const engine_sim::Turbofan& turbofan, const engine_s
 
 Fleet steady_fleet(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
                    const engine_sim::SteadyPoint& trim, int engines, std::uint64_t seed) {
-  engine_sim::NoiseSource random(seed);
+  NoiseSource random(seed);
   Fleet fleet{layout, Eigen::MatrixXd(layout.inputs(), engines), Eigen::MatrixXd(layout.outputs(), engines)};
   Eigen::Index solved = 0;
   for (int k = 0; k < engines; ++k) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The linear model that serves a whole fleet best, and what it still misses.
 //

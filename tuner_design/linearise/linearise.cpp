@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/linearise/linearise.h"
 
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/engine_file.h"
 #include "engine_sim/linear_model/sensor_noise.h"
 #include "tuner_design/linearise/engine_channels.h"
@@ -16,30 +18,29 @@ using linear_model::LinearModel;
 
 void add_noise(const std::vector<engine_sim::SensorChannel>& sensors, const engine_sim::NamedChannels& channels,
                double process_noise_percent, LinearModel& model) {
-  const auto m = static_cast<Eigen::Index>(sensors.size());
-  model.health_sigma.resize(static_cast<Eigen::Index>(channels.health.size()));
-  for (std::size_t i = 0; i < channels.health.size(); ++i)
-    model.health_sigma(static_cast<Eigen::Index>(i)) = channels.health[i].sigma;
+  const auto m = as_index(sensors.size());
+  model.health_sigma.resize(as_index(channels.health.size()));
+  for (std::size_t i = 0; i < channels.health.size(); ++i) model.health_sigma(as_index(i)) = channels.health[i].sigma;
   Eigen::VectorXd resolution(m);
-  for (Eigen::Index i = 0; i < m; ++i) resolution(i) = sensors[static_cast<std::size_t>(i)].resolution;
+  for (Eigen::Index i = 0; i < m; ++i) resolution(i) = sensors[as_size(i)].resolution;
   if (!resolution.isZero(0.0)) model.sensor_resolution = resolution;
   model.sensor_noise_sigma.resize(m);
   for (Eigen::Index i = 0; i < m; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = as_size(i);
     const double own_sigma = sensors[at].noise_percent / 100.0 * std::abs(model.sensors[at].trim);
     model.sensor_noise_sigma(i) = linear_model::counted_sigma(model, i, own_sigma);
   }
   // the metal follows the gas without noise of its own
-  Eigen::VectorXd sigma = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.states.size()));
+  Eigen::VectorXd sigma = Eigen::VectorXd::Zero(as_index(model.states.size()));
   sigma.head<2>() << model.states[0].trim, model.states[1].trim;
   model.process_noise = (process_noise_percent / 100.0 * sigma).cwiseAbs2().asDiagonal();
 }
 
 /// One more state for each lagging sensor: s' = (C x + D u + M h - s)/tau.
 void add_sensor_lags(const std::vector<engine_sim::SensorChannel>& sensors, LinearModel& model) {
-  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(sensors.size()); ++i) {
-    const linear_model::Channel& sensor = model.sensors[static_cast<std::size_t>(i)];
-    const double tau_s = sensors[static_cast<std::size_t>(i)].lag_s;
+  for (Eigen::Index i = 0; i < as_index(sensors.size()); ++i) {
+    const linear_model::Channel& sensor = model.sensors[as_size(i)];
+    const double tau_s = sensors[as_size(i)].lag_s;
     if (tau_s == 0.0) continue;
     const Eigen::Index n = model.A.rows();
     const auto grow = [](Eigen::MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Linear point model of the nonlinear turbofan at a steady operating point, continuous time, channels of
 // engine_channels.h: A in 1/s, B rpm/s per kg/s, L rpm/s per fraction, and so on. Two methods:

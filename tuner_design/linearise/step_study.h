@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Tangent of the nonlinear engine at a steady point by central differences (Endurthi thesis ch. 4, perturbation
 // method):

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/monte_carlo/engine_average.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Mean of some numbers over many engines, with its standard error: s/sqrt(n), s^2 = sum (x - mean)^2/(n - 1).
 // Engines are shared by threads in blocks that depend on their number alone; blocks are merged in order (Chan, Golub &

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The motion of the true engine about its balance, and what it adds to sensors and outputs:
 //

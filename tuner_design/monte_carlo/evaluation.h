@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A design against its theory: the same estimators, flown over many engines, beside what theory says of the very same
 // window from the very same start. Truths (truth.h): the design's linear model, or the nonlinear engine at its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Theory of what an experiment measures: the filter's squared error, averaged over the last part of a run that starts
 // cold (theory.md, section 4; [SG] leaves the theoretical error as future work).

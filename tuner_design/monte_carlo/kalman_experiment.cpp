@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/monte_carlo/kalman_experiment.h"
 
 #include <spdlog/fmt/fmt.h>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/discretise.h"
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
+#include "monitor/diagnosis/fleet_watch.h"
 #include "monitor/estimation/error_propagation.h"
-#include "monitor/judge/fleet_watch.h"
 #include "tuner_design/monte_carlo/engine_average.h"
 #include "tuner_design/monte_carlo/engine_motion.h"
 #include "tuner_design/monte_carlo/random_stream.h"
@@ -96,7 +98,7 @@ class Flights {
       step(filter, *engine, dx, random);
       const int in_window = k - options_.window.first();
       if (in_window < 0) continue;
-      const Published& now_published = published_[static_cast<std::size_t>(in_window)];
+      const Published& now_published = published_[as_size(in_window)];
       const double excess = fleet_.excess(fleet_.distance2(filter.tuners()));
       health_sums.add(filter.health() - true_health,
                       sigmas_of_95_percent * now_published.health.sigma(excess, error_.health_scale));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The monitor's own filter, flown cold on many engines with constant health, beside the theory of the same window.
 //
@@ -8,7 +9,7 @@
 //   error      of h and z, squared, averaged over the window, then over the engines
 //   coverage   share of the window's samples with |error| <= 1.96 sigma_total, as the monitor publishes it at that
 //              sample, wider for an engine far outside the fleet (monitor/estimation/error_propagation.h,
-//              monitor/judge/fleet_watch.h); what the monitor would withhold counts as well
+//              monitor/diagnosis/fleet_watch.h); what the monitor would withhold counts as well
 // Engine i draws from the stream (seed, i). One number per engine: its standard error needs no model of how the samples
 // of a run hang together.
 

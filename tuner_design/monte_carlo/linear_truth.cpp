@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/monte_carlo/truth.h"
 

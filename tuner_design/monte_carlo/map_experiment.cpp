@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/monte_carlo/map_experiment.h"
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/discretise.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/monte_carlo/engine_average.h"
@@ -97,7 +99,7 @@ std::vector<Experiment> map_experiment(const design::Design& design, const Eigen
   results[0].estimator = "MAP, full order";
   results[1].estimator = "MAP, on the tuners";
   for (std::size_t i = 0; i < results.size(); ++i) {
-    fill_measured(results[i], average, static_cast<Eigen::Index>(i) * block);
+    fill_measured(results[i], average, as_index(i) * block);
     results[i].truth = truth.description + ", one snapshot each";
     results[i].nonlinear = truth.nonlinear;
     if (!truth.nonlinear) results[i].linearisation.health.setZero(), results[i].linearisation.auxiliary.setZero();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // MAP estimators hhat = E y on one noisy snapshot of each of many engines ([SG] eqs. 19-37), beside their theory.
 //

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/model/solve/steady.h"
 #include "tuner_design/linearise/engine_channels.h"
 #include "tuner_design/linearise/engine_match.h"
@@ -21,9 +23,8 @@ std::vector<Eigen::Index> positions(const std::vector<Channel>& wanted, const st
   std::vector<Eigen::Index> result;
   for (const Channel& channel : wanted) {
     for (std::size_t i = 0; i < known.size(); ++i)
-      if (known[i].name == channel.name && known[i].unit == channel.unit)
-        result.push_back(static_cast<Eigen::Index>(i));
-    if (result.size() == static_cast<std::size_t>(&channel - wanted.data()) + 1) continue;
+      if (known[i].name == channel.name && known[i].unit == channel.unit) result.push_back(as_index(i));
+    if (result.size() == as_size(&channel - wanted.data()) + 1) continue;
     std::string names;
     for (const Channel& name : known) names += (names.empty() ? "" : ", ") + name.name + " (" + name.unit + ")";
     throw std::invalid_argument("nonlinear truth: " + kind + " '" + channel.name + "' (" + channel.unit +
@@ -54,7 +55,7 @@ class Fleet {
   std::optional<EngineInBalance> engine(const estimation::HealthVector& health) const {
     engine_sim::Operation worn = operation_;
     for (std::size_t i = 0; i < health_.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
+      const auto at = as_index(i);
       worn.health[parameter(i)] = health_trim_(at) + health(at);
     }
     try {
@@ -80,17 +81,13 @@ class Fleet {
 
  private:
   /// Of the design's health parameter i among the gas path's.
-  engine_sim::Health parameter(std::size_t i) const {
-    return layout_.channels().health[static_cast<std::size_t>(health_[i])].parameter;
-  }
+  engine_sim::Health parameter(std::size_t i) const { return layout_.channels().health[as_size(health_[i])].parameter; }
   void set_trim(const LinearModel& model) {
     operation_.flight = {model.operating_point->altitude_m, model.operating_point->mach,
                          model.operating_point->delta_isa_k};
     for (std::size_t i = 0; i < controls_.size(); ++i)
-      layout_.channels().controls[static_cast<std::size_t>(controls_[i])]->of(operation_) =
-          control_trim_(static_cast<Eigen::Index>(i));
-    for (std::size_t i = 0; i < health_.size(); ++i)
-      operation_.health[parameter(i)] = health_trim_(static_cast<Eigen::Index>(i));
+      layout_.channels().controls[as_size(controls_[i])]->of(operation_) = control_trim_(as_index(i));
+    for (std::size_t i = 0; i < health_.size(); ++i) operation_.health[parameter(i)] = health_trim_(as_index(i));
   }
 
   engine_sim::Demand demand_of(const LinearModel& model, Hold hold) const {

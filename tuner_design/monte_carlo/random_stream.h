@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Random numbers of one engine: a stream of its own for each (seed, index), the same on every machine and on any number
 // of threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The engines that an experiment flies on: constant health h and constant controls, in balance from the first sample
 // on.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How errors by channel and single figures are written, the same in every report of the bench.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The design beside everything it is compared with (tuner_design/baselines/baselines.h): a figure and a table.
 

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/report/design_page.h"
 
-#include "tuner_design/print/design_report.h"
+#include "tuner_design/print/design_text.h"
 #include "tuner_design/report/sections/sections.h"
 
 namespace ehm::tuner_design::report {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A limit that is only round-off beside the error is none: with as many sensors as health parameters nothing but noise
 // is left, and endless averaging would take that away.

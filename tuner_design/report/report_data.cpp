@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/report/report_data.h"
 
-#include <Eigen/LU>
-
+#include "deploy/runtime/numbers/decompositions.h"
+#include "monitor/design/closed_loop.h"
 #include "monitor/design/make_error_model.h"
 #include "tuner_design/theory/prepared_point.h"
 
@@ -32,10 +33,7 @@ ReportData report_data(design::Design design, Studies studies) {
   const estimation::ErrorModel error = design::make_error_model(data.design, full);
   const Eigen::Index p = data.model.L.cols();
   // M = (I - Acl)^-1 K Gy: error_propagation.h, settled
-  const Eigen::MatrixXd closed_loop = error.closed_loop;
-  const Eigen::MatrixXd settled = (Eigen::MatrixXd::Identity(closed_loop.rows(), closed_loop.cols()) - closed_loop)
-                                      .partialPivLu()
-                                      .solve(Eigen::MatrixXd(error.drive));
+  const Eigen::MatrixXd settled = design::settled(error.closed_loop, error.drive);
   const Eigen::MatrixXd health = error.health_output * settled, auxiliary = error.auxiliary_output * settled;
   data.settled = health.leftCols(p);
   data.health = parts_of(health - error.health_truth, p, full.health_noise_covariance, full.health_total_covariance);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the sections of a report draw from: the design, and what follows from it. Scaled units throughout
 // (engine_sim/linear_model/scaling.h): health and sensors in percent, auxiliary outputs in their reporting unit.

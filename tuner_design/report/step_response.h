@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How the filter answers when health changes at once by h (theory.md, section 4), engine dynamics included, no noise:
 //   engine   x[k+1] = A x + L h             y[k] = C x[k] + M h

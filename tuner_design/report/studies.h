@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a report computes beside the design: the baselines, the search once more for its course, the trade of response
 // time against accuracy, and the Monte Carlo. The same design gives the same studies on any number of threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/report/trade_figures.h"
 
 #include "tuner_design/report/page/line_chart.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Response time against accuracy as figures: how far above the limit, and bias and noise apart.
 

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/search/blind_tuner.h"
 
-#include <Eigen/SVD>
-
+#include "deploy/runtime/numbers/decompositions.h"
 #include "tuner_design/search/row_space.h"
 
 namespace ehm::tuner_design {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A trap of the search: a combination of the tuners that no sensor sees. The MAP estimator then simply never moves it,
 // and turning it a little towards one that is seen can make J worse before it makes it better: a stationary point far

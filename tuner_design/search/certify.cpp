@@ -1,8 +1,9 @@
-#include <Eigen/Eigenvalues>
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "deploy/runtime/numbers/decompositions.h"
 #include "tuner_design/search/row_space.h"
 #include "tuner_design/search/tuner_search.h"
 
@@ -65,7 +66,7 @@ std::pair<double, double> ratios(const SearchProblem& problem, const SearchPoint
   return {health, objective(one, V)};
 }
 
-void judge(design::Certificate& c, bool nothing_to_choose) {
+void decide(design::Certificate& c, bool nothing_to_choose) {
   std::ostringstream text;
   text.precision(3);
   c.at_optimum = false;
@@ -107,7 +108,7 @@ void certify(design::Certificate& certificate, const SearchProblem& problem, con
   }
   certificate.lower_bound /= weights;
   add_curvature(certificate, problem, V);
-  judge(certificate, V.rows() == V.cols());
+  decide(certificate, V.rows() == V.cols());
 }
 
 }  // namespace ehm::tuner_design

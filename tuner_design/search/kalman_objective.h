@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Objective J (point_problem.h) of the steady-state Kalman filter on the tuners V, and its gradient by the adjoint.
 // For orthonormal rows the pseudoinverse is W = V^T and V Qh V^T = qh I. With E = blkdiag(I_n, W), n + t columns:

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/search/map_objective.h"
 
-#include <Eigen/Cholesky>
+#include "deploy/runtime/numbers/decompositions.h"
 
 namespace ehm::tuner_design {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Objective J (point_problem.h) of the reduced MAP estimator on the tuners V, and its gradient ([SG] eqs. 28-37). For
 // orthonormal rows W = V^T, and with Pq = V Ph W, Hq = H W:

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/search/point_problem.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
 #include "tuner_design/theory/bayes_limit.h"
 
@@ -11,7 +13,7 @@ namespace ehm::tuner_design {
 namespace {
 
 void check_weights(const design::ErrorWeights& weights, Eigen::Index outputs) {
-  if (!weights.channel.empty() && static_cast<Eigen::Index>(weights.channel.size()) != outputs) {
+  if (!weights.channel.empty() && as_index(weights.channel.size()) != outputs) {
     throw std::invalid_argument("weights: " + std::to_string(weights.channel.size()) +
                                 " for the auxiliary outputs; expected " + std::to_string(outputs));
   }
@@ -28,7 +30,7 @@ void check_weights(const design::ErrorWeights& weights, Eigen::Index outputs) {
 /// Gh, Gy, Gz: the fleet's health, and the linearisation error where it is known.
 void add_unknowns(PointProblem& point, const linear_model::LinearModel& model, const std::vector<int>& sensors) {
   const Eigen::Index p = model.L.cols(), m = model.C.rows(), r = model.F.rows();
-  const auto used = static_cast<Eigen::Index>(sensors.size());
+  const auto used = as_index(sensors.size());
   const Eigen::Index more = model.linearisation_error.size() > 0 ? m + r : 0;
   const Eigen::MatrixXd sigma = model.health_sigma.asDiagonal();
   point.Gh.setZero(p, p + more);

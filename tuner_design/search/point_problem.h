@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One operating point as a search sees it, in scaled units, with the sensors of one design. The fleet is k independent
 // unknowns e of unit variance: health, and what the engine's nonlinearity adds (error_propagation.h). With them

@@ -1,8 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/search/row_space.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include "deploy/runtime/numbers/decompositions.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Row spaces: points of the Grassmannian Gr(t, p), of dimension t (p - t). A tuner matrix V and T V with T invertible
 // are the same tuners (theory.md, section 2), so only the row space is searched, and only row spaces are compared.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/search/tuner_search.h"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 #include <stdexcept>
 
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "deploy/runtime/numbers/index.h"
+#include "deploy/runtime/numbers/noise_source.h"
 #include "monitor/estimation/linear/solver_error.h"
 #include "tuner_design/search/blind_tuner.h"
 #include "tuner_design/search/kalman_objective.h"
@@ -36,7 +39,7 @@ struct Run {
 };
 
 double evaluate_at(const std::vector<double>& x, std::vector<double>& gradient, Run& run) {
-  const Eigen::Map<const Eigen::VectorXd> at(x.data(), static_cast<Eigen::Index>(x.size()));
+  const Eigen::Map<const Eigen::VectorXd> at(x.data(), as_index(x.size()));
   Eigen::MatrixXd T, V_gradient;
   const Eigen::MatrixXd V = run.chart.at(at, &T);
   const double value = objective(run.problem, V, &V_gradient);
@@ -70,7 +73,7 @@ void minimise(Run& run) {
   optimiser.set_maxeval(evaluations_a_chart);
   optimiser.set_maxtime(safety_s);
   optimiser.set_ftol_rel(1e-15);
-  std::vector<double> x(static_cast<std::size_t>(run.chart.dimension()), 0.0);
+  std::vector<double> x(as_size(run.chart.dimension()), 0.0);
   double value = 0.0;
   try {
     optimiser.optimize(x, value);
@@ -175,17 +178,12 @@ double objective(const SearchProblem& problem, const Eigen::MatrixXd& V, Eigen::
 }
 
 std::vector<NamedTuners> random_tuners(Eigen::Index t, Eigen::Index p, int count, std::uint64_t seed) {
-  // Row spaces of normal matrices. Box-Muller on the standard's generator: the same everywhere.
-  std::mt19937_64 generator(seed);
-  const auto uniform = [&] { return (static_cast<double>(generator() >> 11U) + 1.0) * 0x1p-53; };
-  const auto normal = [&] {
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return radius * std::cos(2.0 * std::acos(-1.0) * uniform());
-  };
+  // Row spaces of normal matrices.
+  NoiseSource noise(seed);
   std::vector<NamedTuners> starts;
   for (int i = 1; i <= count; ++i) {
     Eigen::MatrixXd V(t, p);
-    for (double& entry : V.reshaped()) entry = normal();
+    for (double& entry : V.reshaped()) entry = noise.normal();
     starts.push_back({"random " + std::to_string(i), std::move(V)});
   }
   return starts;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Minimises J over row spaces, for one or several operating points with one V (an envelope):
 //   J(V) = sum_i weight_i J_i(V) / sum_i weight_i          J_i: kalman_objective.h or map_objective.h

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/sensors/sensor_front.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which sensors are worth having: the Pareto front of cost against J (sensor_set.h), exactly. Sets of sensors are taken
 // in the order of their cost, at equal cost in the order of their bound (subset_bounds.h); a set whose bound is no

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/sensors/sensor_set.h"
 
 #include <stdexcept>
@@ -5,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/theory/prepared_point.h"
 
@@ -23,7 +25,7 @@ std::vector<int> indices(CandidateSet set) {
 
 SensorProblem sensor_problem(const linear_model::LinearModel& model, double qh_percent2,
                              const design::ErrorWeights& weights) {
-  if (model.sensors.size() > static_cast<std::size_t>(max_candidates)) {
+  if (model.sensors.size() > as_size(max_candidates)) {
     throw std::invalid_argument("sensors: " + std::to_string(model.sensors.size()) + " candidates; allowed: at most " +
                                 std::to_string(max_candidates));
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a set of sensors is worth: the published error of the filter that would fly with it.
 //

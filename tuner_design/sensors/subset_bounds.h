@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A lower bound of J for every set of sensors at once: J of the Bayes limit of that set, which no filter on it beats.
 //   C0(S) = Ph - Ph H_S^T (H_S Ph H_S^T)^-1 H_S Ph = Ph^1/2 (I - Q Q^T) Ph^1/2,  Q orthonormal basis of Ph^1/2 H_S^T

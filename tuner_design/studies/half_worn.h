@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Health of an engine after 3000 of 6000 cycles, fractions of nominal, in the order of engine_sim::health_names: the trim at
 // which Simon & Garg linearise ("fleet average, 50 percent deteriorated").

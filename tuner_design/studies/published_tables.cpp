@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/studies/published_tables.h"
 
 namespace ehm::tuner_design {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, as published: mean squared errors, health in percent^2, T40 and
 // T50 in degR^2, Fn and SmLPC in percent^2. Their engine is C-MAPSS, ours is not: the numbers are context, no target.

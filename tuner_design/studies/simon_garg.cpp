@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/studies/simon_garg.h"
 
 #include <algorithm>

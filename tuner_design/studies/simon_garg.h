@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The experiment of Simon & Garg, NASA/TM-2010-216077, tables 4 to 7, on any engine with their ten health parameters.
 //   rows a to d    tuners searched for the least MAP error of health alone, each from its own random start

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/studies/simon_garg_table.h"
 
 #include <fmt/format.h>
 
 #include <ostream>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/studies/published_tables.h"
 
 namespace ehm::tuner_design {
@@ -17,7 +19,7 @@ std::vector<double> in_paper_units(const SimonGargStudy& study, const design::Er
   double total = 0.0;
   const Eigen::VectorXd& own = study.of_health() ? errors.health : errors.auxiliary;
   for (Eigen::Index i = 0; i < own.size(); ++i) {
-    const bool kelvin = !study.of_health() && study.scaling.auxiliary_unit[static_cast<std::size_t>(i)] == "K";
+    const bool kelvin = !study.of_health() && study.scaling.auxiliary_unit[as_size(i)] == "K";
     values.push_back((kelvin ? rankine2_per_kelvin2 : 1.0) * own(i));
     total += variance ? values.back() : 0.0;
   }

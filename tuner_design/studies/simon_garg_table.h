@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A study in the layout of the paper's table: rows of tuners, theory above experiment, channels, SSEE at the right, in
 // the paper's units (health percent^2; temperatures degR^2; thrust percent^2; margins points^2). The published table

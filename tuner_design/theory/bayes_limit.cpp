@@ -1,9 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/theory/bayes_limit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/decompositions.h"
 #include "tuner_design/theory/observability.h"
 
 namespace ehm::tuner_design {

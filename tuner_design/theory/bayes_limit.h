@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The limit: no estimator that sees only steady data at one operating point has a smaller error covariance than
 //   C0 = Ph - Ph H^T (H Ph H^T)^-1 H Ph          p x p

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/theory/kalman_error.h"
 
-#include <Eigen/LU>
 #include <cmath>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/linear/lyapunov.h"
 #include "monitor/estimation/linear/solver_error.h"
 
@@ -105,9 +107,9 @@ void add_error_theory(design::SubsetDesign& design, const linear_model::LinearMo
   design.innovation_variance = seen_through(design.C, design.P).diagonal() + model.sensor_noise_sigma.cwiseAbs2();
   const Eigen::VectorXd bias = bias_covariance(design.C, loop, steady.H, Ph).diagonal();
   std::vector<bool> used(model.sensors.size(), false);
-  for (const int sensor : design.sensors) used[static_cast<std::size_t>(sensor)] = true;
+  for (const int sensor : design.sensors) used[as_size(sensor)] = true;
   for (std::size_t i = 0; i < used.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = as_index(i);
     if (!used[i]) design.innovation_variance(at) += bias(at);
   }
   design.slowest_time_constant_s = -model.sample_time_s / std::log(loop.radius);

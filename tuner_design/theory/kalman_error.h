@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Theoretical error of the steady-state filter on the tuners, over the fleet (theory.md, section 4; [SG] leaves it as
 // future work). Acl = Axq - Kinf Cxq Axq, Th = [0, W], Tz = [F, N W]:

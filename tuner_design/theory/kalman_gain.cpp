@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/theory/kalman_gain.h"
 
-#include <Eigen/Cholesky>
-
+#include "deploy/runtime/numbers/decompositions.h"
 #include "monitor/estimation/linear/riccati.h"
 #include "tuner_design/theory/map_estimator.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Augmented model and steady-state Kalman gain on given tuners ([SG] eqs. 8, 15-17):
 //   Axq = [A, L W; 0, I]   Bxq = [B; 0]   Cxq = [C, M W]   Qxq = blkdiag(Q, V Qh V^T), Qh = qh I

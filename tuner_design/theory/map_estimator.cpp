@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/theory/map_estimator.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <stdexcept>
 #include <string>
+
+#include "deploy/runtime/numbers/decompositions.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Maximum a posteriori estimators hhat = E y from one noisy steady snapshot, and the error of any linear one.
 //   full order   E = Ph H^T (H Ph H^T + R)^-1                                             [SG] eq. 19 ff.

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/theory/observability.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -13,7 +16,7 @@ std::vector<std::string> named(const Eigen::VectorXd& direction, const std::vect
   constexpr double takes_part = 0.1;
   std::vector<std::string> names;
   for (Eigen::Index i = 0; i < direction.size(); ++i) {
-    if (std::abs(direction(i)) > takes_part) names.push_back(channels[static_cast<std::size_t>(i)].name);
+    if (std::abs(direction(i)) > takes_part) names.push_back(channels[as_size(i)].name);
   }
   return names;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the sensors see of health in the steady state. In units of noise and of the fleet's spread,
 //   Hs = R^-1/2 H Ph^1/2     m x p,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A linear model made ready for design: discrete, scaled, with its steady gain.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/theory/relative_error.h"
 
 #include "tuner_design/search/point_problem.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One figure of merit for an estimator, from its expected squared errors by channel:
 //   J = wh sum_i e_h,i + sum_i wz_i e_z,i

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The command line that every service has: --config, --print-config, --check-config, --help, --man, --version, and one
 // flag a key of its schema.

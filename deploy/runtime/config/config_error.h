@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A user's mistake in a configuration, as one message: origin (file and line, variable or flag), key, value, allowed
 // range. Programs end with exit_usage.

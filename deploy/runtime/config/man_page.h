@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A program's manual page, written from what its command line and its configuration schema already say: no text stands
 // twice. Sections: NAME, SYNOPSIS, DESCRIPTION, OPTIONS, COMMANDS (each with its own options), CONFIGURATION (every key

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/config/schema.h"
 
 #include <toml++/toml.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One configuration schema a program: key, default, range, unit and description stand once, and the TOML file, the
 // environment, the command line, the validation messages, --help and the printed reference all come from it.

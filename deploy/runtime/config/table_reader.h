@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Reads one TOML table strictly: every key is asked for, ranges are checked, and what nobody asked for is an error.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a program answers to a command line that it does not take: one line with its own name, what is wrong, what may
 // have been meant, and where the help is.

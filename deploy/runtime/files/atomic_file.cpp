@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/files/atomic_file.h"
 
 #include <fcntl.h>
@@ -13,6 +14,7 @@
 #include <mutex>
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::files {
 
@@ -78,7 +80,7 @@ void AtomicFile::write(std::string_view content) {
     const ssize_t written = ::write(descriptor_, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) fail(errno);
-    content.remove_prefix(static_cast<std::size_t>(written));
+    content.remove_prefix(as_size(written));
   }
 }
 

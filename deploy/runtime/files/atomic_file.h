@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Replaces a file as a whole: a reader sees the old content or the new one, never a part.
 // The content goes to a temporary file beside the target, which commit() flushes to the disk and renames. Without

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/files/content_hash.h"
 
 #include <openssl/evp.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/files/csv_table.h"
 
 #include <csv.h>
@@ -10,6 +11,7 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/table_text.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::files {
 namespace {
@@ -88,7 +90,7 @@ ReadRows read_rows(const std::string& path, const TableFormat& format) {
 std::optional<std::size_t> CsvTable::column(std::string_view name) const {
   const auto found = std::find(header.cells.begin(), header.cells.end(), name);
   if (found == header.cells.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - header.cells.begin());
+  return as_size(found - header.cells.begin());
 }
 
 CsvTable read_csv(const std::string& path, bool columns_alike) {

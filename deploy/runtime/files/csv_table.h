@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A file of separated values as text; who uses it knows what the cells mean. Every row has as many cells as the header,
 // or as the first row (table_check.h).

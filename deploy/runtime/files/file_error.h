@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A user's mistake with a file, as one message: file, line or key, value, what is allowed. Programs end with
 // exit_usage.

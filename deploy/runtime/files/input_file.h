@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The one way in which inputs are opened: configurations, designs, models, tables, MATLAB files, recordings,
 // certificates, profiles. A path is whatever a user, a script or an attacker names, and what it leads to must neither

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/files/json_object.h"
 
 #include <cmath>
@@ -6,6 +7,7 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/input_file.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::files {
 namespace {
@@ -21,13 +23,13 @@ double finite_number(const Json& value, const std::string& file, const std::stri
 
 Eigen::VectorXd read_numbers(const Json& value, Eigen::Index size, const std::string& file, const std::string& key) {
   if (!value.is_array()) throw_defect(file, key, shown(value), "an array of numbers", "Write it as [1, 2, ...]");
-  if (static_cast<Eigen::Index>(value.size()) != size) {
-    throw_defect(file, key, count(static_cast<Eigen::Index>(value.size()), "numbers long"), count(size, "numbers"),
+  if (as_index(value.size()) != size) {
+    throw_defect(file, key, count(as_index(value.size()), "numbers long"), count(size, "numbers"),
                  "Check the row against the channel lists");
   }
   Eigen::VectorXd result(size);
   for (Eigen::Index i = 0; i < size; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = as_size(i);
     result(i) = finite_number(value[at], file, key + "[" + std::to_string(at) + "]");
   }
   return result;
@@ -135,14 +137,14 @@ Eigen::MatrixXd JsonObject::matrix(const std::string& name, Eigen::Index rows, E
   if (rows * cols == 0 && find(name) == nullptr) return Eigen::MatrixXd::Zero(rows, cols);
   const Json& value = array(name);
   if (rows * cols == 0 && value.empty()) return Eigen::MatrixXd::Zero(rows, cols);
-  if (static_cast<Eigen::Index>(value.size()) != rows) {
-    throw_defect(file_, key(name), count(static_cast<Eigen::Index>(value.size()), "rows high"),
+  if (as_index(value.size()) != rows) {
+    throw_defect(file_, key(name), count(as_index(value.size()), "rows high"),
                  std::to_string(rows) + " rows of " + std::to_string(cols) + " numbers",
                  "Check the matrix against the channel lists");
   }
   Eigen::MatrixXd result(rows, cols);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const auto row = static_cast<std::size_t>(i);
+    const auto row = as_size(i);
     result.row(i) = read_numbers(value[row], cols, file_, key(name) + "[" + std::to_string(row) + "]").transpose();
   }
   return result;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Strict reading of JSON: every key once, every key known, every number finite; errors name file and key.
 

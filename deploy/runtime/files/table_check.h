@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Is a table whole? The one check that every reader of tables makes: each row has as many cells as the header, or as
 // the first row where there is none; and a last line that nothing ends shows that it is whole.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The text of a table as lines, whatever system wrote it: lines end in LF, CR LF or CR, a byte order mark of UTF-8 is
 // passed over. What is no text is named as what it is.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The same work for every index 0 .. count-1, shared by threads: each takes the next index that nobody has. What is
 // done for an index must depend on the index alone; then the results are the same on any number of threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A progress bar on a terminal, with the time left, for what takes longer than two seconds:
 //   [##########..........] 50 %, 12 s left

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/recording/column_map.h"
 
 #include <algorithm>
@@ -5,6 +6,7 @@
 
 #include "deploy/runtime/config/schema.h"
 #include "deploy/runtime/config/table_reader.h"
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/recording/row.h"
 #include "deploy/runtime/units/units.h"
 
@@ -20,7 +22,7 @@ constexpr double largest = 1e12;
 
 Column read_column(TableReader& table, const std::string& key, bool header) {
   if (header && table.is_text(key)) return table.text(key);
-  return static_cast<std::size_t>(table.integer(key, 1, last_column));
+  return as_size(table.integer(key, 1, last_column));
 }
 
 files::Separator read_separator(TableReader& table) {

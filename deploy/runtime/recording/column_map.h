@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Which column of a CSV file is which channel: a TOML file. Columns count from 1, or are named where there is a header.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Rows from a CSV file by a column map. The whole file is read and checked first, so that a mistake in its last line
 // stops a run before it starts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Reads one recording file from its first row to the last that was committed: also while it is being written, and after
 // its writer was killed.

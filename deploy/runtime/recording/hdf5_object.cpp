@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/recording/hdf5_object.h"
 
 #include "deploy/runtime/files/file_error.h"

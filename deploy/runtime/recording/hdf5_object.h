@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Ownership of HDF5's handles, and its errors as exceptions: HDF5's own C interface otherwise.
 //

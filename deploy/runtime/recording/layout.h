@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a recording holds: which tables, with which columns. Writer and reader both go by this, so that they agree.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The files of one recording name: flight.h5, then flight.0002.h5, flight.0003.h5 ... A number that exists is never
 // written again, so that a restarted service goes on with the next one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The rows of a recording: of the file that is named, and of the parts that follow it in its folder.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One row of a recording: a sample as it came from the wire with what was estimated from it, or a marker: something
 // else that acted on the filter between two samples.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where rows come from, one after another: a recording, or a CSV file by a column map (csv_rows.h).
 

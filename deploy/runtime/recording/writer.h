@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Writes one recording file so that it is readable at any moment: while it grows, and after kill -9. One exception
 // remains: a kill within the microsecond in which the kernel copies a piece of HDF5's metadata from one memory page to

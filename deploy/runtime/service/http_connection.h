@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One accepted connection of the HTTP server, never waited for: it takes what has come, and sends what fits.
 //

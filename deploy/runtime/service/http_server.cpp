@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/service/http_server.h"
 
 #include <fcntl.h>

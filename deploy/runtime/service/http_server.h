@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Answers GET requests on one thread of its own; connections are never waited for (http_connection.h). Whatever clients
 // do (idle connections, requests a byte at a time, floods, garbage), it costs one thread, `most_connections` descriptors

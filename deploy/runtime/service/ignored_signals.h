@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Signals whose default is to end the process for what a service has to live with: a log reader that has gone
 // (SIGPIPE), a limit on the size of files (SIGXFSZ). The call that met it fails, and is reported as any failure.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The last catch of a thread beside the flight: what goes wrong in one of its turns (memory that is short, a disk that
 // refuses) is said, and neither ends the process nor the thread.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // "HOST:PORT" or "[IPV6]:PORT", as a TCP server listens.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The log of a service: lines go to standard error from a thread of their own. Whoever reads them may stop (Ctrl-S, a
 // collector that hangs): the service never waits for it. 8192 lines are kept for it, then the oldest make room and are

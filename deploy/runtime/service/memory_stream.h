@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A request that has come in whole, as httplib reads it, and its answer as httplib writes it: no socket is touched, so
 // that neither can block.

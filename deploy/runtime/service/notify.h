@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a service tells systemd through NOTIFY_SOCKET (sd_notify(3), units with Type=notify). Without systemd nothing
 // happens. Never call these on the cycle thread: each is a system call.

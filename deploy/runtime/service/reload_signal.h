@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // SIGHUP as a flag: the operator asks for the configuration to be read again.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/service/security_watch.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -49,7 +50,7 @@ void sort(IncidentBox& box, const idl::MiddlewareMessage& message) {
 
 }  // namespace
 
-std::shared_ptr<IncidentBox> hear_incidents(idl::ParticipantOptions& options) {
+std::shared_ptr<IncidentBox> receive_incidents(idl::ParticipantOptions& options) {
   auto box = std::make_shared<IncidentBox>();
   if (options.security.empty()) return box;
   options.on_stranger = [box](const std::string& text) { box->put(text); };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a service says of those who were kept out of its secured domain: in its log, and wherever else it publishes.
 //
@@ -33,7 +34,7 @@ class IncidentBox {
 };
 
 /// Fills the hooks of `options` when they ask for security; call it before the Participant is made.
-std::shared_ptr<IncidentBox> hear_incidents(idl::ParticipantOptions& options);
+std::shared_ptr<IncidentBox> receive_incidents(idl::ParticipantOptions& options);
 
 /// What a service says of itself at its start: "secured by DIRECTORY", or that it is not.
 std::string security_text(const std::string& directory);

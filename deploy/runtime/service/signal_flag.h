@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A signal as a flag that any thread may read. One flag for each Tag; setting it is safe in a signal handler, since the
 // atomic needs no lock and there is nothing else to do.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A stop that is asked for ends within a limit, whatever a disk, a terminal or a middleware do: what is not done by
 // then is left, and the process ends. Subscribers and systemd have been told before (the release of the engines and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // SIGINT and SIGTERM as a flag that loops poll and sleeps are interrupted by.
 

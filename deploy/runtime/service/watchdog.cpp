@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/service/watchdog.h"
 
 #include <spdlog/spdlog.h>

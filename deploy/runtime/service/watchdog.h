@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Feeds systemd's watchdog (WatchdogSec=, sd_watchdog_enabled(3)) only while every loop makes progress: a thread that
 // looks at their turn counters twice per WATCHDOG_USEC, and sends WATCHDOG=1 if all have grown since the last look. With

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a command prints is its result: where standard output does not take it (a full disk), the command has failed.
 

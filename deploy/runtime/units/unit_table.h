@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The table of units: quantity, factor and offset to SI, spellings. Spellings are as normalised by units.cpp: small
 // letters (but see there for m and M), no blanks, "deg" for a degree sign.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Units of channels: which ones are the same quantity, and how a value goes from one to the other. The one table of
 // units in this project.

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/model/maps/compressor_map.h"
 
 #include <cmath>
 #include <stdexcept>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::engine_sim {
 namespace {
@@ -44,8 +47,8 @@ CompressorMap::SurgeValue CompressorMap::surge(double flow) const {
   SurgeValue s{0.0, 0.0};
   for (std::size_t i = 0; i < 4; ++i) {
     const double coefficient = data_.surge_pressure_ratio[w.first + i];
-    s.pressure_ratio += w.b[static_cast<Eigen::Index>(i)] * coefficient;
-    s.by_flow += w.slope[static_cast<Eigen::Index>(i)] * coefficient;
+    s.pressure_ratio += w.b[as_index(i)] * coefficient;
+    s.by_flow += w.slope[as_index(i)] * coefficient;
   }
   return s;
 }

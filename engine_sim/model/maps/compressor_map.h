@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One compressor map in its own (unscaled) coordinates: n = corrected speed / design, R = R-line (1 is surge).
 //   Wc(n, R) = n^a phi(n, R)            corrected flow, lbm/s at 518.67 R and 14.696 psia

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The numbers of a map in one store of its own: spans into a caller's arrays become spans into the store, which copies
 // of the map share. Errors: none.

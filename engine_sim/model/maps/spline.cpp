@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/model/maps/spline.h"
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <stdexcept>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::engine_sim {
 
@@ -59,7 +62,7 @@ SplineBasis::SplineBasis(std::span<const double> breaks) : breaks_(breaks.begin(
 BasisValues SplineBasis::at(double x) const {
   const double inside = std::clamp(x, lowest(), highest());
   const auto above = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, inside);
-  const auto first = static_cast<std::size_t>(above - breaks_.begin()) - 1;
+  const auto first = as_size(above - breaks_.begin()) - 1;
   const Interval& interval = intervals_[first];
   const double u = (inside - interval.left) / interval.width;
   const auto power = [&](Eigen::Index k) { return interval.powers.col(k); };
@@ -73,7 +76,7 @@ SurfaceValue surface(const BasisValues& x, const BasisValues& y, std::span<const
                      std::size_t columns) {
   Eigen::Vector4d along_y = Eigen::Vector4d::Zero(), slope_along_y = Eigen::Vector4d::Zero();
   for (Eigen::Index i = 0; i < 4; ++i) {
-    const double* row = coefficients.data() + (x.first + static_cast<std::size_t>(i)) * columns + y.first;
+    const double* row = coefficients.data() + (x.first + as_size(i)) * columns + y.first;
     along_y += x.b[i] * Eigen::Vector4d::Map(row);
     slope_along_y += x.slope[i] * Eigen::Vector4d::Map(row);
   }

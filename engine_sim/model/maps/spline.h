@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Cubic B-splines: f(x) = sum_i c_i b_i(x), and the tensor product f(x, y) = sum_ij c_ij b_i(x) b_j(y).
 // Twice continuously differentiable between the first and the last knot; beyond them each basis function continues

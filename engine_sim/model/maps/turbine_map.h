@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One turbine map in its own (unscaled) coordinates: Np = speed parameter, percent of design; PR = expansion ratio.
 //   Wp(Np, PR) = sqrt(1 - exp(-k (PR - 1))) g(Np, PR)   flow parameter w sqrt(T)/p, lbm/s sqrt(R)/psia

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What drives the gas path at a fixed flight condition and off-take, as a vector with named places:
 //   states (N1, N2, metal temperatures) | controls (fuel flow, vanes, bleed valves, nozzle) | health
@@ -7,6 +8,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/model/turbofan.h"
 
 namespace ehm::engine_sim {
@@ -24,7 +26,7 @@ enum Place : std::size_t {
   count = first_health + health_count
 };
 constexpr std::size_t of(Health parameter) {
-  return first_health + static_cast<std::size_t>(parameter);
+  return first_health + as_size(parameter);
 }
 inline constexpr std::array<std::string_view, first_health> names_before_health{
     "n1_rpm",         "n2_rpm",  "metal_hpc_k",  "metal_hpt_k",           "metal_lpt_k",

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/model/onboard/gas_path_jacobian.h"
 
-#include <Eigen/LU>
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::engine_sim {
 namespace {
@@ -30,7 +32,7 @@ std::optional<UnknownsSlopes> unknowns_slopes(const std::array<D, flow_unknown_c
   Eigen::Matrix<double, unknown_count, unknown_count> r_x;
   Eigen::Matrix<double, unknown_count, input_count> r_p;
   for (int i = 0; i < unknown_count; ++i) {
-    const D& r = residuals[static_cast<std::size_t>(i)];
+    const D& r = residuals[as_size(i)];
     r_x.row(i) = by_unknowns(r);
     r_p.row(i) = by_inputs(r);
   }
@@ -56,7 +58,7 @@ std::optional<UnknownsSlopes> differentiate(const Turbofan& engine, const Intake
   const GasPathQuantities<D> y = quantities_of(gas);
   GasPathJacobian total;
   for (int i = 0; i < total.rows(); ++i) {
-    const D& yi = y[static_cast<std::size_t>(i)];
+    const D& yi = y[as_size(i)];
     total.row(i) = by_inputs(yi);
     for (int k = 0; k < unknown_count; ++k) total.row(i) += by_unknowns(yi)(k) * slopes->by_input.row(k);
   }

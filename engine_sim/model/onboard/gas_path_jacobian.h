@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Derivatives of a closed gas path by the implicit function theorem:
 //   r(x, p) = 0:  X_p = -r_x^-1 r_p;   y(x, p):  dy/dp = y_p + y_x X_p

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a gas path can be asked, as a vector with named places: first the rates of the states, in the order of
 // gas_path_inputs.h, then the quantities with the names that a deck gives them.
@@ -9,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/model/gas_path.h"
 
 namespace ehm::engine_sim {
@@ -30,7 +32,7 @@ inline constexpr std::size_t count = names.size();
 constexpr std::optional<std::size_t> place(std::string_view name) {
   const auto at = std::find(names.begin(), names.end(), name);
   if (at == names.end()) return std::nullopt;
-  return static_cast<std::size_t>(at - names.begin());
+  return as_size(at - names.begin());
 }
 }  // namespace gas_path_quantity
 

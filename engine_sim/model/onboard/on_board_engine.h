@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The engine as on-board model: the gas path at given spool speeds and operation, and its derivatives, within the cycle
 // of an estimator. What has no answer is told by a status: nothing is thrown, nothing allocated.

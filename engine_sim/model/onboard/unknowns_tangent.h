@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Where the flow unknowns go when the inputs change, by the tangent at the last derivatives: a guess whose error is of
 // second order spares evaluations of the cycle.

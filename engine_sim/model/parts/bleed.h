@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Bleeds of the HPC: air for turbine cooling in fixed fractions of the HPC's inlet flow, and customer air in kg/s.
 //   main: W_main = W (1 - sum of fractions) - W_customer, in the state of the HPC exit

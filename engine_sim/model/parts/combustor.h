@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Combustor: complete mixing of air and fuel at constant enthalpy flow, with a pressure loss.
 //   W4 = W3 + Wf,  f4 = Wf/W3 (the air carries no fuel yet),  P4 = P3 (1 - loss)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Compressor (fan, LPC, HPC) on a scaled map, with real-gas isentropic compression:
 //   n = N/(sqrt(theta) s_nc);  (WcMap, PRmap, effMap) = map(n, R)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Duct: total pressure falls by a fixed fraction, enthalpy and flow stay. P2 = P1 (1 - loss). Units: Pa, ratio.
 // Errors: none. Source: Walsh & Fletcher, chapter 5 (ducts).

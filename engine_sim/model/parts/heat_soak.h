@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Heat soak: gas and the metal of a component exchange heat, so that after a change of power the gas path settles only
 // as the metal does.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Inlet: ambient conditions and flight Mach number to the fan face.
 //   V0 = M sqrt(gamma R T0), h_t = h(T0) + V0^2/2, isentropic total pressure by the entropy function,

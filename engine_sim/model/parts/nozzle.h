@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Convergent nozzle, choked or not, with real-gas isentropic expansion to the throat:
 //   unchoked: p = p_ambient;  choked: V^2 = gamma R T at the throat, p = p_critical > p_ambient

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Shaft without friction: J dw/dt = (turbine power - compressor power)/w, in rpm/s.
 //   dN/dt = (P_turbine - P_compressors) / (J w k),  w = N k,  k = 2 pi/60

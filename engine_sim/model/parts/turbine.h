@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Turbine (HPT, LPT) on a scaled map, with real-gas expansion and cooling air at its inlet:
 //   NpMap = N/sqrt(T[R])/s_nc;  (WpMap, effMap) = map(NpMap, PRmap);  PR = 1 + s_pr (PRmap - 1)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Forward-mode dual numbers of fixed width: x = v + sum_i d_i eps_i with eps_i eps_j = 0, so that f(x) carries f(v) and
 // the exact gradient f'(v) d. Newton's method gets its Jacobian from one evaluation, without a step size.

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/model/solve/flow_balance.h"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::engine_sim {
 namespace {
@@ -75,7 +78,7 @@ NewtonEnd FlowBalance::newton(const Problem& problem, const Held& held, Unknowns
   if (!end.closed) return end;
   Matrix jacobian;
   for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
-    jacobian.row(i) = Vector(r[static_cast<std::size_t>(i)].d.data()).transpose();
+    jacobian.row(i) = Vector(r[as_size(i)].d.data()).transpose();
   }
   inverse_jacobian_ = jacobian.partialPivLu().inverse();
   evaluate(held, x);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The flow balance of the gas path solved again and again along a flight. At given spool speeds and operation:
 //   r(x) = 0,  x: the six unknowns of flow_unknowns.h,  r: the six flow balances of turbofan.h

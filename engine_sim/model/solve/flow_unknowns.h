@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The six unknowns of the flow balance at given spool speeds and fuel flow, all of order one.
 //   bypass ratio W13/W21, R-line of each compressor map (1 = surge), expansion ratio of each turbine

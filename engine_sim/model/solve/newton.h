@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Damped Newton's method for N equations in N unknowns, both scaled to order one:
 //   J(x) dx = -r(x),  x <- x + a dx,  a halved until max|r| falls (or is small already)
@@ -8,7 +9,6 @@
 // Source: Dennis & Schnabel, Numerical Methods for Unconstrained Optimization and Nonlinear Equations, chapter 6.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +18,8 @@
 #include <string_view>
 #include <utility>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/model/solve/dual.h"
 
 namespace ehm::engine_sim {
@@ -79,14 +81,13 @@ Eigen::Matrix<double, N, 1> limited_step(const NewtonProblem<N>& problem, const 
   Eigen::Matrix<double, n, n> jacobian;
   Eigen::Matrix<double, n, 1> right;
   for (int i = 0; i < n; ++i) {
-    const Dual<N>& ri = r[static_cast<std::size_t>(i)];
+    const Dual<N>& ri = r[as_size(i)];
     right(i) = -ri.v;
-    for (int j = 0; j < n; ++j) jacobian(i, j) = ri.d[static_cast<std::size_t>(j)];
+    for (int j = 0; j < n; ++j) jacobian(i, j) = ri.d[as_size(j)];
   }
   Eigen::Matrix<double, n, 1> step = jacobian.partialPivLu().solve(right);
   double excess = 1.0;
-  for (int i = 0; i < n; ++i)
-    excess = std::max(excess, std::abs(step(i)) / problem.largest_step[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < n; ++i) excess = std::max(excess, std::abs(step(i)) / problem.largest_step[as_size(i)]);
   return step / excess;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/model/solve/steady.h"
 
 #include <cmath>
@@ -5,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/model/solve/steady_newton.h"
 
 namespace ehm::engine_sim {
@@ -24,8 +26,8 @@ constexpr double lowest_of_design_n1 = 0.12, highest_of_design_n1 = 1.45;
 void require_valid(const Demand& demand) {
   const bool positive = demand.kind == DemandKind::net_thrust_n || demand.value > 0.0;
   if (std::isfinite(demand.value) && positive) return;
-  throw std::invalid_argument("steady: demand " + std::string(demand_names[static_cast<std::size_t>(demand.kind)]) +
-                              " = " + std::to_string(demand.value) + " must be finite" +
+  throw std::invalid_argument("steady: demand " + std::string(demand_names[as_size(demand.kind)]) + " = " +
+                              std::to_string(demand.value) + " must be finite" +
                               (demand.kind == DemandKind::net_thrust_n ? "" : " and above zero"));
 }
 
@@ -173,9 +175,8 @@ class Approach {
   static bool on_the_map(const Solution& s) { return s.x[n1] > lowest_of_design_n1 && s.x[n1] < highest_of_design_n1; }
 
   [[noreturn]] void out_of_reach(const Solution& nearest) const {
-    throw SolveError("residual 'demand': " + std::string(demand_names[static_cast<std::size_t>(target_.demand.kind)]) +
-                     " = " + std::to_string(target_.demand.value) +
-                     " is out of reach; the engine comes no nearer than " +
+    throw SolveError("residual 'demand': " + std::string(demand_names[as_size(target_.demand.kind)]) + " = " +
+                     std::to_string(target_.demand.value) + " is out of reach; the engine comes no nearer than " +
                      std::to_string(demanded_value(engine_, nearest.gas, target_.demand.kind)) + " at N1 " +
                      std::to_string(nearest.gas.speeds.n1_rpm) + " rpm");
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Steady operating point: both spools in power balance, all flows closed, one demand met.
 //   unknowns (9):  six of flow_unknowns.h, N1 and N2 and fuel flow relative to the design point

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Newton's method on the nine steady balances from one start (steady.h says which), and the starts themselves.
 // Internal to the steady solver: steady.cpp decides from where and in which steps a target is approached.

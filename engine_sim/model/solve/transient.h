@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Spool dynamics at a fixed step: dN/dt from the power left over on each shaft, the flow balance closed at each stage.
 //   Heun (second order): y* = y + dt f(y),  y <- y + dt/2 (f(y) + f(y*)),  operation held over the step

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How the flow unknowns change from one balance to the next along a flight, continued by the parabola through the last
 // three changes: a good guess spares evaluations of the cycle.

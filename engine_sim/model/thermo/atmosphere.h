@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // International Standard Atmosphere up to 20 km, with a temperature offset at unchanged pressure:
 //   troposphere (to 11 km):  T = T0 - L z,    p = p0 (T/T0)^(g/(R L))

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Thermodynamic properties of air and of the combustion products of kerosene in dry air, semi-perfect gas:
 //   cp(T, f) = sum A_i Z^i + f/(1+f) sum B_i Z^i                Z = T / 1000 K, f = fuel-air ratio by mass

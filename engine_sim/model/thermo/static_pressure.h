@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Static pressure of a subsonic stream of known total state through a known area:
 //   W = A p V/(R T),  h(T) = h(Tt) - V^2/2,  phi(T) - phi(Tt) = R ln(p/Pt)

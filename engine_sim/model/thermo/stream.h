@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A stream of gas in total conditions, and what two streams become when they mix at constant enthalpy.
 //   mixing: w = w1 + w2, w h = w1 h1 + w2 h2, air and fuel conserved separately; the pressure is the main stream's

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The doubling iterations behind riccati.h and lyapunov.h, for any matrix type: dynamic, or of fixed capacity (then
 // nothing is allocated).

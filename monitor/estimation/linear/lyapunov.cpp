@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/linear/lyapunov.h"
 
-#include <Eigen/Eigenvalues>
 #include <sstream>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/decompositions.h"
 #include "monitor/estimation/linear/doubling.h"
 #include "monitor/estimation/linear/solver_error.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Discrete Lyapunov equation X = A X A^T + Q, A n x n with spectral radius below 1, Q n x n symmetric.
 // Solved by Smith doubling, quadratically convergent: X+ = X + A X A^T, A+ = A A, from X = Q.

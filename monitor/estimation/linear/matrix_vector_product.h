@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // y += M x for the small matrices of the cycle path: M r x c, column-major, sized at run time, some ten rows and
 // columns.
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::estimation {
 namespace product_detail {
@@ -49,8 +52,7 @@ void add_product(const Matrix& M, const double* x, double* y) noexcept {
   using namespace product_detail;
   const double* matrix = M.data();
   for (Eigen::Index left = M.rows(); left > 0; left -= most_rows, matrix += most_rows, y += most_rows)
-    kernel_of_rows[static_cast<std::size_t>(std::min<Eigen::Index>(left, most_rows) - 1)](matrix, M.outerStride(),
-                                                                                          M.cols(), x, y);
+    kernel_of_rows[as_size(std::min<Eigen::Index>(left, most_rows) - 1)](matrix, M.outerStride(), M.cols(), x, y);
 }
 
 }  // namespace ehm::estimation

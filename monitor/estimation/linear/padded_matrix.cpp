@@ -1,6 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/linear/padded_matrix.h"
 
 #include <utility>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::estimation {
 
@@ -69,13 +72,11 @@ struct PaddedMatrix::Kernels {
 
 PaddedMatrix::PaddedMatrix(const Eigen::MatrixXd& M, bool wide_vectors) : columns_(M.cols()) {
   const Eigen::Index groups = (M.rows() + rows_of_group - 1) / rows_of_group;
-  groups_.resize(static_cast<std::size_t>(groups * columns_));
+  groups_.resize(as_size(groups * columns_));
   for (Eigen::Index j = 0; j < M.cols(); ++j)
     for (Eigen::Index i = 0; i < M.rows(); ++i)
-      groups_[static_cast<std::size_t>(j * groups + i / rows_of_group)]
-          .row[static_cast<std::size_t>(i % rows_of_group)] = M(i, j);
-  kernel_ =
-      Kernels::choose(static_cast<std::size_t>(groups), wide_vectors, std::make_integer_sequence<int, most_groups>());
+      groups_[as_size(j * groups + i / rows_of_group)].row[as_size(i % rows_of_group)] = M(i, j);
+  kernel_ = Kernels::choose(as_size(groups), wide_vectors, std::make_integer_sequence<int, most_groups>());
 }
 
 }  // namespace ehm::estimation

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // y = from + M [x; u] for the small constant matrices of the cycle path, whose sizes are known at run time only.
 //

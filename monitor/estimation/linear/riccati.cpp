@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/linear/riccati.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
+#include "deploy/runtime/numbers/decompositions.h"
 #include "monitor/estimation/linear/doubling.h"
 #include "monitor/estimation/linear/lyapunov.h"
 #include "monitor/estimation/linear/solver_error.h"

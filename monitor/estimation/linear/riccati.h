@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Filter form of the discrete algebraic Riccati equation:
 //   P = A P A^T - A P C^T (C P C^T + R)^-1 C P A^T + Q        A n x n, C m x n, Q n x n >= 0, R m x m > 0

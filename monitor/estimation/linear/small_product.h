@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Products of small column-major matrices sized at run time, without allocation: out = A B, and A S A^T with symmetric
 // S. Four rows and two columns at a time stay in registers; Eigen's own product of this size spends more on packing or

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A filter does not exist, or a solver could not compute it: the Riccati or Lyapunov equation has no solution, the
 // closed loop is unstable, an accuracy is missed. What tries several tuners may go on to others; every other error is

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Alert rules are YAML and the dashboard JSON, both with the structure that Prometheus and Grafana load.
 
 Usage: check_dashboards.py DASHBOARDS_FOLDER. That the metrics exist is metrics_test.cpp's part.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A strict reader of Prometheus' text exposition format 0.0.4, as far as counters and gauges go: HELP and TYPE once and
 // before the samples, samples of a family together, no series twice, every line in order.

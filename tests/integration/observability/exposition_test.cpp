@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The strict reader itself: what it must refuse.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clients of the HTTP endpoint that mean harm: the cycle does not notice, and the endpoint is well afterwards.
 
 #include <arpa/inet.h>

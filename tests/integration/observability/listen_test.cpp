@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // monitor --listen as a real process, before the example in C with Cyclone DDS, and before sources that are wired
 // wrong.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What /metrics, /health and /ready say of a flying pair, against what MonitorStatus and HealthEvent said on DDS.
 
 #include <gmock/gmock.h>

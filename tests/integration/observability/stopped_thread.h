@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Stops one thread of a child process as a debugger does, while its other threads run: a loop that really hangs.
 

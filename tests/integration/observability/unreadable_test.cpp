@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Peers whose data can never be read, or that can never read ours: real processes of Cyclone DDS with an IDL or a data
 // representation that is not ours, and a Fast DDS writer with another name of the type. The monitor and --listen name
 // participant, topic and reason, once a peer.

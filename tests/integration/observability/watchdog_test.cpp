@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // systemd's protocol without systemd: readiness, status, watchdog, stop. A hung loop is not fed, though the process
 // lives and its other threads run.
 

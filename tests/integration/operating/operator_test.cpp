@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ehm_command as an operator uses it: orders to a simulator and a monitor in flight, and what it says of them.
 
 #include <gmock/gmock.h>

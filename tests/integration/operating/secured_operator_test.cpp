@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ehm_command on a secured domain: an operator's orders are carried out and answered, a viewer cannot even give them.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Engines that are known as matrices only, flown by engine_sim --linear: the cruise model, one without controls, one with
 // two probes of the same quantity, and one whose design changes its units in flight.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reads a recording as a user of h5py does and checks that its tables fit together. Usage: read_recording.py FILE"""
 import sys
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a real monitor records of real flights is complete, and gives the same estimates to the bit offline and
 // replayed.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A flight in other units than the design's gives the estimates of the same flight in the design's: from a table by its
 // column map, and from a source by its description, also where that comes late. What does not convert is not used.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The authority of make_security.sh under attack: stolen keys, roles taken away, runs that are killed, runs at one time,
 # odd names. What counts is what openssl says of every certificate that was ever issued.
 # Usage: authority_test.sh SCRIPT

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // UDP datagrams of one DDS domain as they pass over loopback, and the way to send them once more.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes the DDS of this program one that somebody has tampered with: it asks nobody whether it may create a writer or a
 // reader. Linked into the test program and exported, these definitions come before the library's own. So a refusal
 // that a test sees was decided by the other side.

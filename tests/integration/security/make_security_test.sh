@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # make_security.sh: what it makes verifies and is private, what exists is kept, wrong usage is refused.
 # Usage: make_security_test.sh SCRIPT
 set -euo pipefail

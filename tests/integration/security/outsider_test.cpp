@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nobody joins a secured domain without an identity of its authority, and the service says who tried.
 
 #include <gmock/gmock.h>

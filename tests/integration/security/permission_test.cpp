@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who has an identity may do what its role allows, and nothing else. This program's own DDS does not ask for permission
 // (hostile_stack.cpp), so what is refused here is refused by the services.
 

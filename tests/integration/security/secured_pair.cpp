@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/integration/security/secured_pair.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::test {
 
@@ -45,7 +48,7 @@ std::string Viewer::security_event(const std::string& part) const {
 }
 
 std::size_t Viewer::estimates(std::uint32_t engine_id) const {
-  return static_cast<std::size_t>(
+  return as_size(
       std::count_if(health.begin(), health.end(), [&](const auto& h) { return h.engine_id() == engine_id; }));
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The pair on a secured domain of the test's own, and a viewer beside it that hears what the monitor publishes.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The secured pair with a hot standby, as deploy/docs/operations.md, "Secure, with a standby, under systemd, in half an hour" sets it up: whoever of the two
 // monitors is killed, a viewer goes on with the other one.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Datagrams of the secured domain are recorded off the wire and sent again, as they were and with bits flipped. No
 // sample of them counts, and the service goes on.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What a peer that means ill, or is simply broken, may put on the wire in place of a sound sensor sample. Each kind
 // spoils one thing in an otherwise plausible sample, drawn from the caller's generator.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ehm_hostile: floods a domain with bad sensor samples, descriptions and commands, at a stated rate, from a seed. It
 // spoils the samples of the real source when it hears one, so that everything but one thing is plausible.
 // Prints what it sent, by kind, as one JSON object at the end.
@@ -12,6 +13,7 @@
 #include <thread>
 
 #include "deploy/runtime/config/usage_answer.h"
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/exit_code.h"
 #include "deploy/runtime/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
@@ -65,7 +67,7 @@ class Flood {
     for (EngineSensors s; heard_.take(s);)
       if (s.engine_id() == options_.engine && s.source_id() != options_.source_id) latest_ = s;
     const Attack attack = attacks_[random_() % attacks_.size()];
-    ++sent_[static_cast<std::size_t>(attack)];
+    ++sent_[as_size(attack)];
     switch (attack) {
       case Attack::command:
         commands_.write(bad_command(options_.engine, random_));
@@ -85,8 +87,8 @@ class Flood {
     nlohmann::json sent;
     std::uint64_t total = 0;
     for (const auto& known : attack_names()) {
-      sent[known.name] = sent_[static_cast<std::size_t>(known.attack)];
-      total += sent_[static_cast<std::size_t>(known.attack)];
+      sent[known.name] = sent_[as_size(known.attack)];
+      total += sent_[as_size(known.attack)];
     }
     sent["total"] = total;
     return sent.dump();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How an impairment is told what to do while it runs: lines "NAME VALUE" on standard input or, with a time before
 // them, in a schedule file. One table of names serves the command line as well.

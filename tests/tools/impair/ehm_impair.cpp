@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ehm_impair: takes EngineSensors on one domain and publishes them on another, as a bad network would deliver them.
 // Prints its counters as one JSON object at the end (SIGINT, SIGTERM, --duration-s) and on the line "status".
 

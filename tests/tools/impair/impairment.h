@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A bad network between two domains: what happens to each sensor sample on its way, drawn from a seeded generator.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the impairing re-publisher does to samples: every one is accounted for, and a seed repeats its fate.
 
 #include "tests/tools/impair/impairment.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/tuner_design/model_files.h"
 
 #include <zlib.h>
@@ -12,6 +13,7 @@
 #include <stdexcept>
 
 #include "deploy/runtime/files/csv_table.h"
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::test {
 namespace {
@@ -20,7 +22,7 @@ using linear_model::Channel;
 using linear_model::LinearModel;
 
 std::array<std::size_t, 2> shape(Eigen::Index rows, Eigen::Index cols) {
-  return {static_cast<std::size_t>(rows), static_cast<std::size_t>(cols)};
+  return {as_size(rows), as_size(cols)};
 }
 
 matvar_t* char_matrix(const char* name, const std::vector<std::string>& rows) {
@@ -174,7 +176,7 @@ void write_all(MatWriter& mat, const LinearModel& model) {
     for (std::size_t i = 0; i < channels.size(); ++i) {
       names.push_back(channels[i].name);
       units.push_back(channels[i].unit);
-      trims(static_cast<Eigen::Index>(i)) = channels[i].trim;
+      trims(as_index(i)) = channels[i].trim;
     }
     mat.cells((kind + "_names").c_str(), names);
     mat.cells((kind + "_units").c_str(), units, true);
@@ -193,7 +195,7 @@ void write_csv_folder(const std::string& folder, const LinearModel& model) {
   channels_csv << "kind,name,unit,trim,sigma\n";
   for (const auto& [kind, channels] : lists(model)) {
     for (std::size_t i = 0; i < channels.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
+      const auto at = as_index(i);
       channels_csv << kind << ',' << channels[i].name << ',' << channels[i].unit << ','
                    << files::shortest(channels[i].trim) << ',';
       if (kind == "health") channels_csv << files::shortest(model.health_sigma(at));

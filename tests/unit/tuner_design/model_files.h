@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Linear models as users write them, for tests: MATLAB files by libmatio, CSV folders.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reference numbers of theory.md, section 5, JT9D at cruise: Ph 2 %, noise of [SG] table 2, process noise 1e-4
 // percent^2.
 

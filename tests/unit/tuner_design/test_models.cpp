@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/tuner_design/test_models.h"
 
 #include <unistd.h>
@@ -7,6 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::test {
 namespace {
@@ -37,7 +40,7 @@ Eigen::MatrixXd matrix(const Json& rows) {
   Eigen::MatrixXd result(rows.size(), rows.at(0).size());
   for (Eigen::Index i = 0; i < result.rows(); ++i) {
     for (Eigen::Index j = 0; j < result.cols(); ++j) {
-      result(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].get<double>();
+      result(i, j) = rows[as_size(i)][as_size(j)].get<double>();
     }
   }
   return result;
@@ -75,7 +78,7 @@ LinearModel made_up_model(int sensors, int health) {
   if (sensors > 1) model.sensors[1] = {"N2", "rpm", 7370.0};
   const Eigen::Vector2d speed(36.5, 73.7);  // one percent
   Eigen::VectorXd one_percent(sensors);
-  for (int i = 0; i < sensors; ++i) one_percent(i) = model.sensors[static_cast<std::size_t>(i)].trim / 100.0;
+  for (int i = 0; i < sensors; ++i) one_percent(i) = model.sensors[as_size(i)].trim / 100.0;
   model.A = (Eigen::Matrix2d() << 0.97, 0.013, 0.008, 0.93).finished();
   model.B = speed.asDiagonal() * Eigen::Vector2d(0.3, 0.25);
   model.L = speed.asDiagonal() * (2.0 * random.normal_matrix(2, health));
@@ -134,7 +137,7 @@ std::optional<LinearModel> jt9d_point(const std::string& name) {
   model.sensor_noise_sigma.resize(7);
   const double percent[] = {0.25, 0.25, 0.5, 0.75, 0.5, 0.75, 0.75};
   for (std::size_t i = 0; i < 7; ++i) {
-    model.sensor_noise_sigma(static_cast<Eigen::Index>(i)) = percent[i] / 100.0 * model.sensors[i].trim;
+    model.sensor_noise_sigma(as_index(i)) = percent[i] / 100.0 * model.sensors[i].trim;
   }
   // (0.01 % of trim)^2 a sample, that is 1e-4 percent^2
   model.process_noise = (1e-4 * Eigen::Vector2d(model.states[0].trim, model.states[1].trim)).cwiseAbs2().asDiagonal();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Linear models for tests: one made up here, and the reference engines converted to LinearModel.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // From values to a length: linear, fraction = (v - low)/(high - low), or logarithmic, the same of log10. Ticks at 1, 2
 // or 5 times a power of ten. Whatever the values are (none, all equal, zeros, not finite), the axis is one that can be

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Horizontal bars in groups: one group a category, one bar a series, and marks across the group for what the bars are
 // compared with. A logarithmic axis begins at a power of ten below the smallest value; what is not positive has no bar

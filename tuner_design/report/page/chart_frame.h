@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // What the charts share: the two widths in which each is drawn (the page shows the one that fits the screen), the size
 // of letters, and the legend. Source of the colours: Okabe & Ito, "Color Universal Design" (2008), darkened to a

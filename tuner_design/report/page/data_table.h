@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The numbers behind a figure or a table: what is drawn, printed, downloaded as CSV and given out as JSON is this.
 // Columns carry their unit in the name, as in "sigma_percent". Errors: none.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/report/page/heat_map.h"
 
 #include <fmt/format.h>
@@ -5,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/report/page/svg.h"
 #include "tuner_design/report/page/text.h"
 
@@ -51,8 +53,7 @@ void draw_cell(Svg& svg, const HeatMap& map, const Layout& layout, Eigen::Index 
   const double x = layout.left + static_cast<double>(j) * layout.cell;
   const double y = layout.top + static_cast<double>(i) * cell_height;
   const double strong = strength(value, layout.full_scale);
-  svg.open(map.rows[static_cast<std::size_t>(i)] + ", " + map.columns[static_cast<std::size_t>(j)] + ": " +
-           number(value, 4));
+  svg.open(map.rows[as_size(i)] + ", " + map.columns[as_size(j)] + ": " + number(value, 4));
   svg.rect(x, y, layout.cell, cell_height, value < 0.0 ? "cell negative" : "cell positive",
            fmt::format("fill-opacity=\"{:.2f}\"", strong));
   if (layout.cell >= number_room) {
@@ -109,7 +110,7 @@ DataTable data_of(const HeatMap& map, const std::string& corner) {
   table.columns.push_back(corner);
   table.columns.insert(table.columns.end(), map.columns.begin(), map.columns.end());
   for (Eigen::Index i = 0; i < map.values.rows(); ++i) {
-    std::vector<Cell> row{map.rows[static_cast<std::size_t>(i)]};
+    std::vector<Cell> row{map.rows[as_size(i)]};
     for (Eigen::Index j = 0; j < map.values.cols(); ++j) row.emplace_back(map.values(i, j));
     table.rows.push_back(std::move(row));
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A matrix as coloured cells with a signed scale: blue for positive, orange for negative, the stronger the larger; the
 // number stands in the cell where there is room. Row and column names are those of the users' channels. Errors: none.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A DataTable as an HTML table: numbers right-aligned with the same number of decimals down a column, so that they can
 // be compared at a glance; what would vanish at that is written with a power of ten. A column "value" holds unlike

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Lines and points over two axes, each linear or logarithmic. What an axis cannot show (not finite; not positive on a
 // logarithmic one) is left out, and the line is interrupted there. The y title stands above the plot. Errors: none.

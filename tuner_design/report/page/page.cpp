@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/report/page/page.h"
 
 #include "tuner_design/report/page/html_table.h"

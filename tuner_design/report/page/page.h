@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The report as one self-contained page: XHTML-compatible HTML, no script, nothing fetched. A section is text, figures
 // and tables; each figure and table carries its numbers as a CSV link. Texts are escaped here, `body` is markup.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One drawing as inline SVG. Coordinates in px, x to the right, y downwards. Colours and fonts are classes of the page
 // (page_style.h), so that light, dark and print are the page's affair. Every text is escaped here. Errors: none.

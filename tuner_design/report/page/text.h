@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Text as a report shows it: escaped for XML, numbers for people, names cut and broken to fit. Names come from users'
 // files: they may hold markup, control characters, any script, and 63 characters without a space.

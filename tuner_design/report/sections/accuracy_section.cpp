@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors against the limit, in total and by channel.
 
 #include <cmath>
 #include <map>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/report/comparison.h"
 #include "tuner_design/report/page/bar_chart.h"
 #include "tuner_design/report/page/html_table.h"
@@ -42,7 +44,7 @@ DataTable channel_table(const ErrorParts& parts, const std::vector<std::string>&
                    "variance explained [%]"},
                   {}};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = as_index(i);
     const double explained = parts.prior(at) > 0.0 ? 100.0 * (1.0 - parts.total(at) / parts.prior(at)) : no_number;
     table.rows.push_back({names[i], units[i], std::sqrt(parts.total(at)), std::sqrt(parts.unseen(at)),
                           std::sqrt(parts.noise(at)), std::sqrt(parts.linearisation(at)), std::sqrt(parts.limit(at)),
@@ -81,7 +83,7 @@ void add_auxiliary(Section& section, const ReportData& data) {
   std::vector<BarChart> charts;
   for (const auto& [unit, rows] : by_unit) {
     std::vector<std::string> part_names;
-    for (const int row : rows) part_names.push_back(names[static_cast<std::size_t>(row)]);
+    for (const int row : rows) part_names.push_back(names[as_size(row)]);
     charts.push_back(sigma_chart(chosen(data.auxiliary, rows), part_names, "sigma-auxiliary-" + unit,
                                  "Auxiliary outputs in " + unit, unit == "percent" ? "percent of trim" : unit));
   }

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // Theory against experiment: what the Monte Carlo found (tuner_design/monte_carlo/evaluation.h).
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/report/page/bar_chart.h"
 #include "tuner_design/report/page/html_table.h"
 #include "tuner_design/report/page/text.h"
@@ -76,8 +78,8 @@ DataTable channel_table(const std::vector<Experiment>& experiments, const std::v
     const Eigen::VectorXd linearisation = joined(e.linearisation), theory = joined(e.theory) + linearisation;
     const Eigen::VectorXd experiment = joined(e.experiment), error = joined(e.standard_error), end = joined(e.settled);
     for (Eigen::Index i = 0; i < theory.size(); ++i)
-      table.rows.push_back({name_of(e), channels[static_cast<std::size_t>(i)], theory(i), linearisation(i),
-                            experiment(i), error(i), end(i)});
+      table.rows.push_back(
+          {name_of(e), channels[as_size(i)], theory(i), linearisation(i), experiment(i), error(i), end(i)});
   }
   return table;
 }
@@ -93,7 +95,7 @@ void add_coverage(Section& section, const std::vector<Experiment>& experiments,
     table.columns.emplace_back("standard error [%]");
     const Eigen::VectorXd coverage = 100.0 * joined(e.coverage), error = 100.0 * joined(e.coverage_standard_error);
     for (Eigen::Index i = 0; i < coverage.size(); ++i) {
-      auto& row = table.rows[static_cast<std::size_t>(i)];
+      auto& row = table.rows[as_size(i)];
       row.insert(row.end(), {coverage(i), error(i)});
     }
     table.rows.back().insert(table.rows.back().end(), {coverage.mean(), no_number});

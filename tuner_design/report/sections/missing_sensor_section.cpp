@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The designs that fly when a sensor has failed.
 
 #include <cmath>

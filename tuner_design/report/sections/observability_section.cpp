@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which combinations of health parameters the sensors see: the singular values and right singular vectors of
 // R^-1/2 H Ph^1/2 (observability.h).
 
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/detectability.h"
 #include "tuner_design/report/page/bar_chart.h"
 #include "tuner_design/report/page/heat_map.h"
@@ -71,7 +73,7 @@ DataTable detectability_table(const ReportData& data) {
   const Eigen::VectorXd detectability =
       design::slow_bias_detectability(data.design.model, data.design.scaling, data.design.full);
   for (Eigen::Index i = 0; i < detectability.size(); ++i)
-    table.rows.push_back({data.design.model.sensors[static_cast<std::size_t>(i)].name, detectability(i)});
+    table.rows.push_back({data.design.model.sensors[as_size(i)].name, detectability(i)});
   return table;
 }
 

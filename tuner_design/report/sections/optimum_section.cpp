@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether the tuners are at an optimum: the certificate, and how the starts of the search came there.
 
 #include <algorithm>

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // What was designed and from what.
 
-#include "tuner_design/print/design_report.h"
+#include "deploy/runtime/numbers/index.h"
+#include "tuner_design/print/design_text.h"
 #include "tuner_design/report/page/text.h"
 #include "tuner_design/report/sections/sections.h"
 
@@ -33,11 +35,10 @@ DataTable facts(const ReportData& data) {
   }
   add("Time", (model.discrete ? std::string("discrete") : std::string("continuous, discretised exactly")) +
                   ", sample " + quantity(1e3 * model.sample_time_s, "ms"));
-  add("Dimensions", counted(model.states.size(), "state") + ", " + counted(model.controls.size(), "actuator") + ", " +
-                        counted(model.sensors.size(), "sensor") + ", " +
-                        counted(model.health.size(), "health parameter") + ", " +
-                        counted(model.auxiliary.size(), "auxiliary output") + ", " +
-                        counted(static_cast<std::size_t>(design.full.V.rows()), "tuner"));
+  add("Dimensions",
+      counted(model.states.size(), "state") + ", " + counted(model.controls.size(), "actuator") + ", " +
+          counted(model.sensors.size(), "sensor") + ", " + counted(model.health.size(), "health parameter") + ", " +
+          counted(model.auxiliary.size(), "auxiliary output") + ", " + counted(as_size(design.full.V.rows()), "tuner"));
   add("Scaling",
       "states and sensors in percent of trim; health in percent; temperatures in K; margins in points; other "
       "auxiliary outputs in percent of trim");
@@ -46,8 +47,8 @@ DataTable facts(const ReportData& data) {
   add("Tuners", reduction(design));
   add("Qh", quantity(design.options.qh_percent2, "percent²") + " per sample");
   add("Weights in the objective", weights_of(design));
-  add("Search", counted(static_cast<std::size_t>(design.options.random_starts), "random start") + ", seed " +
-                    std::to_string(design.options.seed));
+  add("Search",
+      counted(as_size(design.options.random_starts), "random start") + ", seed " + std::to_string(design.options.seed));
   add("Made by", design.options.created_by + " " + design.options.version);
   add("Design hash (SHA-256)", design.hash);
   return table;
@@ -60,7 +61,7 @@ DataTable channels(const ReportData& data) {
   const auto add = [&](const std::vector<linear_model::Channel>& list, const std::string& kind,
                        const Eigen::VectorXd* sigma, const Eigen::VectorXd* scale, const auto& unit_of) {
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
+      const auto at = as_index(i);
       const auto value = [&](const Eigen::VectorXd* vector) {
         return vector == nullptr ? std::string("–") : number((*vector)(at), 4);
       };

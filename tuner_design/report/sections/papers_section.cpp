@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tables 4 to 7 of Simon & Garg on this engine.
 
 #include "tuner_design/report/page/html_table.h"

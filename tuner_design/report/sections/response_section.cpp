@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the filter answers a step of one sigma in each health parameter.
 
 #include <algorithm>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/report/page/line_chart.h"
 #include "tuner_design/report/page/text.h"
 #include "tuner_design/report/sections/sections.h"
@@ -22,7 +24,7 @@ std::vector<double> estimates(const StepResponse& response, Eigen::Index estimat
 LineChart step_chart(const ReportData& data, const StepResponse& response, Eigen::Index stepped,
                      const std::vector<double>& range) {
   const auto& health = data.design.model.health;
-  const std::string& name = health[static_cast<std::size_t>(stepped)].name;
+  const std::string& name = health[as_size(stepped)].name;
   LineChart chart{.id = "step-" + std::to_string(stepped + 1),
                   .title = "Step of one sigma in " + name,
                   .description = "Estimates of all health parameters over time after " + name + " changed by " +
@@ -55,8 +57,7 @@ DataTable step_table(const ReportData& data, const StepResponse& response) {
   for (std::size_t j = 0; j < names.size(); ++j) {
     for (std::size_t k = 0; k < response.time_s.size(); ++k) {
       std::vector<Cell> row{names[j], response.time_s[k]};
-      for (std::size_t i = 0; i < names.size(); ++i)
-        row.emplace_back(response.estimate[k](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+      for (std::size_t i = 0; i < names.size(); ++i) row.emplace_back(response.estimate[k](as_index(i), as_index(j)));
       table.rows.push_back(std::move(row));
     }
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The sections of a report, in its order. Each is a function of the data alone.
 

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report in words.
 
 #include <algorithm>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/report/limit_ratio.h"
 #include "tuner_design/report/page/text.h"
@@ -13,7 +15,7 @@ namespace {
 std::string what_was_designed(const ReportData& data) {
   const auto& model = data.design.model;
   const std::size_t m = model.sensors.size(), p = model.health.size();
-  const auto t = static_cast<std::size_t>(data.design.full.V.rows());
+  const auto t = as_size(data.design.full.V.rows());
   const std::string outputs =
       model.auxiliary.empty() ? "" : " and " + counted(model.auxiliary.size(), "auxiliary output");
   if (t == p) {

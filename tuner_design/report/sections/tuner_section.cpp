@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // V* in physical names, and the resolution that it gives.
 
 #include "tuner_design/report/page/heat_map.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What ehm_watch shows and judges, with and without truth, on terminals of several widths.
 
 #include "deploy/demo/watch_output.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `engine_sim deck`: what it accepts, refuses and writes.
 
 #include "engine_sim/deck/deck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // engine_sim engine export | check | show, as a user calls them.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `engine_sim maps`: its files, that their numbers are the map's, and what it refuses.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bleed valves and stator vanes under control.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random demand sequences stay inside the limits and never stall LPC or HPC (issue 3). Prints the worst cases.
 
 #include <gtest/gtest.h>

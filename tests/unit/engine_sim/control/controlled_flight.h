@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A new engine under control, flown by one demand after another; keeps the extremes of each leg.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/engine_sim/control/demand_sequence.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A random flight of half a minute: flight condition, wear, and a fan speed demand of slams, steps, ramps, bodies and
 // reversals. The same seed gives the same flight.

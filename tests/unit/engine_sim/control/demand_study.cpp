@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/engine_sim/control/demand_study.h"
 
 #include <cmath>
 #include <cstdio>
 #include <future>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/engines/jt9d_control.h"
 #include "engine_sim/model/ratings.h"
@@ -65,7 +67,7 @@ StudyResult fly(const Turbofan& engine, std::uint64_t seed, double duration_s, H
         const Worst here{values[i], seed, time_s, now.flight, measure(gas).n1_corrected_rpm(), actuation.active};
         if (here.worse_than(result.worst[i], Figure(i))) result.worst[i] = here;
       }
-      result.seconds_in_loop[static_cast<std::size_t>(actuation.active)] += dt_s;
+      result.seconds_in_loop[as_size(actuation.active)] += dt_s;
     }
   } catch (const std::exception& e) {
     result.failures.push_back("sequence " + std::to_string(seed) + " after " + std::to_string(time_s) +
@@ -112,7 +114,7 @@ std::string table(const StudyResult& r) {
     const Worst& w = r.worst[i];
     add("%-24s %8.3f  %8llu %7.2f %9.0f %6.3f %6.1f %8.0f  %s\n", figure_names[i].data(), w.value,
         static_cast<unsigned long long>(w.seed), w.time_s, w.flight.altitude_m, w.flight.mach, w.flight.delta_isa_k,
-        w.n1_corrected_rpm, fuel_loop_names[static_cast<std::size_t>(w.active)].data());
+        w.n1_corrected_rpm, fuel_loop_names[as_size(w.active)].data());
   }
   text += "time in each loop, s:";
   for (std::size_t i = 0; i < fuel_loop_count; ++i) add(" %s %.0f,", fuel_loop_names[i].data(), r.seconds_in_loop[i]);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Flies random demand sequences (demand_sequence.h) and keeps the worst of each: stall margins and what passes a limit.
 

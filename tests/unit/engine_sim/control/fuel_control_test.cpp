@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The selection of loops on made-up measurements: no engine answers, so every step is the control's own.
 
 #include "engine_sim/control/fuel_control.h"

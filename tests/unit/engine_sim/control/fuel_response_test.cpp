@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The gains and lags that the control's data state, against the linear model of the nonlinear engine.
 
 #include <gtest/gtest.h>

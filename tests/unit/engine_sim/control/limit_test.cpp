@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each limit on the nonlinear engine: reached, held, and passed by less than stated.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fan speed loop on the nonlinear engine: small steps alike everywhere, large ones quick and without a bump.
 
 #include <gtest/gtest.h>

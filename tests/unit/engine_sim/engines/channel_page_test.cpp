@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tables of deploy/docs/engine_files.md against the code that they describe.
 
 #include <gtest/gtest.h>

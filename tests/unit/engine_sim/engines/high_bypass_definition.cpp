@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/engine_sim/engines/high_bypass_definition.h"
 
 #include "tests/unit/engine_sim/model/high_bypass_engine.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How deploy/engines/high_bypass.json was made: the second engine, sized from its data sheet, with a control and channels.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/engines/shipped_engines.h"
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/json_object.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/engine_file.h"
 #include "engine_sim/engines/jt9d_engine.h"
 #include "tests/unit/engine_sim/engines/high_bypass_definition.h"
@@ -25,8 +27,7 @@ void expect_alike(const Json& read, const Json& made, const std::string& key) {
     EXPECT_LE(std::abs(a - b), 1e-9 * std::max({1e-6, std::abs(a), std::abs(b)})) << key << ": " << a << ", " << b;
   } else if (made.is_structured() && made.size() == read.size()) {
     for (const auto& [name, value] : made.items())
-      expect_alike(made.is_object() ? read.at(name) : read.at(static_cast<std::size_t>(std::stoul(name))), value,
-                   key + "." + name);
+      expect_alike(made.is_object() ? read.at(name) : read.at(as_size(std::stoul(name))), value, key + "." + name);
   } else {
     EXPECT_EQ(read, made) << key;
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Model files: exact round trip, and one message for every defect.
 
 #include "engine_sim/linear_model/model_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // fit_maps as a user meets it: what it makes of another engine's tables, and how it refuses mistakes.
 
 #include "engine_sim/map_fit/fit_maps_command.h"

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/map_fit/compressor_table.h"
 #include "engine_sim/map_fit/fit_surface.h"
@@ -28,7 +30,7 @@ TEST(FitSurface, ReproducesACubicAndFillsAHoleOfZeroWeight) {
   const auto f = [](double u, double v) { return 1.0 + u * v - 0.5 * u * u + 0.3 * v * v; };
   Eigen::MatrixXd z(11, 9), weight = Eigen::MatrixXd::Ones(11, 9);
   for (int i = 0; i < 11; ++i) {
-    for (int j = 0; j < 9; ++j) z(i, j) = f(x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(j)]);
+    for (int j = 0; j < 9; ++j) z(i, j) = f(x[as_size(i)], y[as_size(j)]);
   }
   z(5, 4) = 1e6;
   weight(5, 4) = 0.0;
@@ -50,7 +52,7 @@ TEST(FitSurface, BendsLessAlongAPath) {
   const std::vector<double> x = grid(0.0, 2.0, 11), y = grid(-1.0, 1.0, 9), breaks_x{0.0, 1.0, 2.0},
                             breaks_y{-1.0, 0.0, 1.0};
   Eigen::MatrixXd z(11, 9), weight = Eigen::MatrixXd::Ones(11, 9);
-  for (int j = 0; j < 9; ++j) z.col(j).setConstant(y[static_cast<std::size_t>(j)] * y[static_cast<std::size_t>(j)]);
+  for (int j = 0; j < 9; ++j) z.col(j).setConstant(y[as_size(j)] * y[as_size(j)]);
   const SplineBasis bx(breaks_x), by(breaks_y);
   const auto bend = [&](double path_weight, double at_y) {
     const StraightPath path{{{1.0, -0.1}, {1.0, 0.0}, {1.0, 0.1}}, 0.0, 0.1, path_weight};
@@ -97,7 +99,7 @@ TEST(FittedMaps, AgreeWithTheTablesWhereEnginesOperate) {
       const bool dropped = std::string(name) == "HPC" && table.speed[i] == 1.025;
       const double flow_limit = dropped ? 0.011 : 5e-3, pressure_limit = dropped ? 0.02 : 5e-3;
       for (std::size_t j = 0; j < table.r_line.size(); ++j) {
-        const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+        const auto row = as_index(i), column = as_index(j);
         const double pr = table.pressure_ratio(row, column), eff = table.efficiency(row, column);
         if (sample_weight(table.r_line[j], pr, eff) < 1.0) continue;
         const auto at = map->at(table.speed[i], table.r_line[j]);

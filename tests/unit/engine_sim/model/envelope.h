@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Seeded points of the engine's envelope, for tests: altitude 0 to 13.5 km, Mach number 0 to 0.9 but at most
 // 0.45 + altitude/22 km, ISA -20 to +35 K, health of each component on its own.

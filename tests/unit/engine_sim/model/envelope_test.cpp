@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cold starts over the whole envelope, and the conservation laws at every point that they find.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The second engine: pyCycle's published high-bypass turbofan at its design point (35 000 ft, M 0.8).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Slopes of the engine against linear models made by central differences of T-MATS' own components on the same tables.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The engine against NPSS runs of the public JT9D model at the same flight condition and fuel flow.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The NPSS cases and linear models of the reference data, as the tests read them. Absent data is reported, not guessed.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Engines from their design points: pyCycle's high-bypass turbofan, and the JT9D again from the inputs of its model.
 #include "engine_sim/model/sizing.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The fuel flow of a throttle slam: idle, a straight ramp to maximum power, hold, the same ramp back, idle; repeated.
 // Idle and maximum are those of ratings.h at one flight condition.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Another engine than the default one flies, with the channels that its file names.
 
 #include <gmock/gmock.h>

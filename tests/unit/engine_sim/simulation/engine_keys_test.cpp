@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // engine_sim's configuration with another engine than the default: what is not given is the engine's own.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A linear model as the engine that flies: against the closed form, in its noise, and in what it refuses.
 
 #include "engine_sim/linear/linear_engine.h"
@@ -7,6 +8,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/dds/apply_command.h"
 #include "engine_sim/linear_model/sensor_noise.h"
 #include "idl/wire_values.h"
@@ -32,17 +34,17 @@ Scenario scenario_of(const LinearModel& model, const VectorXd& health) {
   Scenario s;
   s.wear.clear();
   for (std::size_t i = 0; i < model.health.size(); ++i)
-    s.wear.push_back({model.health[i].trim + health(static_cast<Eigen::Index>(i)), 0.0});
+    s.wear.push_back({model.health[i].trim + health(as_index(i)), 0.0});
   return s;
 }
 
 Scenario unworn(const LinearModel& model) {
-  return scenario_of(model, VectorXd::Zero(static_cast<Eigen::Index>(model.health.size())));
+  return scenario_of(model, VectorXd::Zero(as_index(model.health.size())));
 }
 
 VectorXd some_wear(const LinearModel& model) {
   test::Random random(3);
-  return 0.02 * random.normal_vector(static_cast<Eigen::Index>(model.health.size()));
+  return 0.02 * random.normal_vector(as_index(model.health.size()));
 }
 
 EngineSample fly(LinearEngine& engine, int samples) {
@@ -53,9 +55,7 @@ EngineSample fly(LinearEngine& engine, int samples) {
 
 void expect_sensors(const EngineSample& sample, const LinearModel& model, const VectorXd& y) {
   for (std::size_t i = 0; i < model.sensors.size(); ++i)
-    EXPECT_NEAR(sample.sensors[i].value, model.sensors[i].trim + y(static_cast<Eigen::Index>(i)),
-                1e-10 * model.sensors[i].trim)
-        << i;
+    EXPECT_NEAR(sample.sensors[i].value, model.sensors[i].trim + y(as_index(i)), 1e-10 * model.sensors[i].trim) << i;
 }
 
 TEST(LinearEngine, BeginsAndStaysAtTheClosedFormOfItsWear) {
@@ -69,7 +69,7 @@ TEST(LinearEngine, BeginsAndStaysAtTheClosedFormOfItsWear) {
     expect_sensors(sample, model, steady.H * h);
     const VectorXd z = steady.Hz * h;
     for (std::size_t i = 0; i < model.auxiliary.size(); ++i)
-      EXPECT_NEAR(sample.auxiliary[i], model.auxiliary[i].trim + z(static_cast<Eigen::Index>(i)), 1e-8);
+      EXPECT_NEAR(sample.auxiliary[i], model.auxiliary[i].trim + z(as_index(i)), 1e-8);
     EXPECT_NEAR(sample.health[2], -0.017 + h(2), 1e-15);
     EXPECT_EQ(sample.actuators, std::vector<double>{0.8});
   }
@@ -103,7 +103,7 @@ TEST(LinearEngine, ItsSensorsHaveTheNoiseOfTheModel) {
   for (int k = 0; k < n; ++k) {
     const EngineSample sample = engine.next_sample();
     for (Eigen::Index i = 0; i < 4; ++i) {
-      const auto s = static_cast<std::size_t>(i);
+      const auto s = as_size(i);
       const double v = (sample.sensors[s].value - model.sensors[s].trim) / model.sensor_noise_sigma(i);
       sum(i) += v, square(i) += v * v;
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A flight whose sensors have no noise, so that what they read is what happened.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which files of a folder are resumed, and what is said of the others.
 
 #include "monitor/checkpoint/checkpoint_folder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A checkpoint's text: exact round trip, and every defect named.
 
 #include "monitor/checkpoint/checkpoint.h"

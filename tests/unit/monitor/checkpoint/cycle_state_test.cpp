@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cycle that resumes goes on as if it had never stopped; after a gap it is where it was within its sigma.
 
 #include "monitor/cycle/cycle_state.h"

@@ -1,15 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/checks/innovation_gate.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "deploy/runtime/numbers/index.h"
+
 namespace {
 
 using namespace ehm;
 
 estimation::SensorVector vector(std::initializer_list<double> values) {
-  estimation::SensorVector v(static_cast<Eigen::Index>(values.size()));
+  estimation::SensorVector v(as_index(values.size()));
   Eigen::Index i = 0;
   for (double value : values) v(i++) = value;
   return v;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/checks/sample_check.h"
 
 #include <gtest/gtest.h>
@@ -167,11 +168,11 @@ TEST(SampleTimeWatch, OneStepOfTheSourcesClockDoesNotMatterAnotherRateDoes) {
   SampleDecision d{SampleVerdict::accepted, 1, 0, 0.0, sample_time_s};
   for (int i = 0; i < 128; ++i) {
     d.dt_s = i == 20 ? 1.9 : sample_time_s;
-    EXPECT_TRUE(watch.judge(d, events)) << i;
+    EXPECT_TRUE(watch.check(d, events)) << i;
   }
   d.dt_s = 1.2 * sample_time_s;
-  for (int i = 0; i < 128; ++i) watch.judge(d, events);
-  EXPECT_FALSE(watch.judge(d, events));
+  for (int i = 0; i < 128; ++i) watch.check(d, events);
+  EXPECT_FALSE(watch.check(d, events));
   EXPECT_EQ(events.size(), 1u);
 }
 
@@ -184,7 +185,7 @@ TEST(SampleTimeWatch, ASourceThatWasHeldUpAndCatchesUpKeepsItsRate) {
   for (int i = 0; i < 640; ++i) {
     const int place = i % 40;
     d.dt_s = place == 10 ? 8.0 * sample_time_s - 7e-4 : place > 10 && place <= 17 ? 1e-4 : sample_time_s;
-    EXPECT_TRUE(watch.judge(d, events)) << i;
+    EXPECT_TRUE(watch.check(d, events)) << i;
   }
   EXPECT_EQ(events.size(), 0u);
 }

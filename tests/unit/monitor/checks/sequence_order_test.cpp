@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counters that wrap before 2^64, told from sources that start anew and from samples that were overtaken.
 
 #include "monitor/checks/sequence_order.h"

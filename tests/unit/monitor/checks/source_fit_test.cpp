@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a source's channels fit the design's: by name, place and unit, and what becomes of its values.
 
 #include "monitor/checks/source_fit.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/checks/stuck_watch.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stamps and numbers that are not perfect: what is said of them, and how often.
 
 #include <gtest/gtest.h>
@@ -52,7 +53,7 @@ int sample_time_events(double tick_s, double period_s, int samples) {
   double last_s = 0.0;
   for (int k = 1; k <= samples; ++k) {
     const double shown_s = tick_s * std::floor(k * period_s / tick_s);
-    watch.judge(accepted(shown_s - last_s), events);
+    watch.check(accepted(shown_s - last_s), events);
     last_s = shown_s;
   }
   return static_cast<int>(events.size());
@@ -69,17 +70,17 @@ TEST(SampleTimeWatch, ACoarseClockKeepsTheRateAnotherRateDoesNot) {
 TEST(SampleTimeWatch, StampsThatStandStillTellNothing) {
   SampleTimeWatch watch(sample_time_s);
   EventList events;
-  for (int k = 0; k < 1'000'000; ++k) ASSERT_TRUE(watch.judge(accepted(0.0, StampState::unset), events)) << k;
+  for (int k = 0; k < 1'000'000; ++k) ASSERT_TRUE(watch.check(accepted(0.0, StampState::unset), events)) << k;
   EXPECT_EQ(events.size(), 0u);
 }
 
 TEST(SampleTimeWatch, WhatWasSaidIsTakenBackOnceNothingIsMeasured) {
   SampleTimeWatch watch(sample_time_s);
   EventList events;
-  for (int k = 0; k < 128; ++k) watch.judge(accepted(0.03), events);
+  for (int k = 0; k < 128; ++k) watch.check(accepted(0.03), events);
   ASSERT_EQ(events.size(), 1u);
-  for (int k = 0; k < 8191; ++k) EXPECT_FALSE(watch.judge(accepted(0.0), events));
-  EXPECT_TRUE(watch.judge(accepted(0.0), events));
+  for (int k = 0; k < 8191; ++k) EXPECT_FALSE(watch.check(accepted(0.0), events));
+  EXPECT_TRUE(watch.check(accepted(0.0), events));
   ASSERT_EQ(events.size(), 2u);
   EXPECT_EQ((events.begin() + 1)->detail, SampleTimeWatch::not_measured);
 }
@@ -87,13 +88,13 @@ TEST(SampleTimeWatch, WhatWasSaidIsTakenBackOnceNothingIsMeasured) {
 TEST(StampWatch, SaysOnceWithTheReasonAndEndsAfterTenGoodSeconds) {
   StampWatch watch(sample_time_s);
   EventList events;
-  for (int k = 0; k < 1000; ++k) watch.judge(accepted(0.0, StampState::unset), events);
+  for (int k = 0; k < 1000; ++k) watch.check(accepted(0.0, StampState::unset), events);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(events.begin()->kind, EventKind::source_stamps);
   EXPECT_EQ(events.begin()->detail, static_cast<std::uint32_t>(StampState::unset));
-  for (int k = 0; k < 666; ++k) watch.judge(accepted(0.015), events);
+  for (int k = 0; k < 666; ++k) watch.check(accepted(0.015), events);
   EXPECT_TRUE(watch.raised());
-  watch.judge(accepted(0.015), events);
+  watch.check(accepted(0.015), events);
   EXPECT_FALSE(watch.raised());
   EXPECT_EQ(events.size(), 2u);
 }
@@ -104,7 +105,7 @@ TEST(StampWatch, AClockThatRepeatsNowAndThenDoesNotFillTheLog) {
   EventList events;
   std::size_t said = 0;
   for (int k = 1; k <= 2'400'000; ++k) {
-    watch.judge(k % 1501 == 0 ? accepted(0.0, StampState::repeated) : accepted(0.01501), events);
+    watch.check(k % 1501 == 0 ? accepted(0.0, StampState::repeated) : accepted(0.01501), events);
     said += events.size();
     events.clear();
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What becomes of the estimate when a sensor is named faulty: a step below the published sigma, for every sensor and
 // size; the sensor stays out while it is biased, and comes back when it is well.
 
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tests/unit/monitor/cycle/flight.h"
 #include "tuner_design/design/design_tuner.h"
 
@@ -26,7 +28,7 @@ class Accommodation : public testing::Test {
   void fly(int samples, int sensor, double sigmas) {
     for (int k = 0; k < samples; ++k) {
       Sample s = flight_->next();
-      s.sensor[static_cast<std::size_t>(sensor)] += sigmas * design_->model.sensor_noise_sigma(sensor);
+      s.sensor[as_size(sensor)] += sigmas * design_->model.sensor_noise_sigma(sensor);
       const auto before = cycle_.watch().filter().sensor_set();
       const estimation::HealthVector health = cycle_.watch().filter().health();
       const estimation::AuxiliaryVector auxiliary = cycle_.watch().filter().auxiliary();
@@ -41,7 +43,7 @@ class Accommodation : public testing::Test {
                .maxCoeff()});
     }
   }
-  bool used(int sensor) const { return cycle_.result().estimate.sensors[static_cast<std::size_t>(sensor)]; }
+  bool used(int sensor) const { return cycle_.result().estimate.sensors[as_size(sensor)]; }
 
   std::shared_ptr<const design::Design> design_;
   MonitorCycle cycle_;
@@ -92,10 +94,10 @@ class TightFleet : public Accommodation {
 };
 
 TEST_F(TightFleet, ADriftThatEndsIsNoNewFaultAndTheEstimateFollowsAtOnce) {
-  const SlowBias judge(FaultOptions{}, slow_bias_table(*design_));
+  const SlowBias watch(FaultOptions{}, slow_bias_table(*design_));
   int drifted = 0;
   for (int sensor = 0; sensor < 7; ++sensor) {
-    if (!judge.watches(sensor)) continue;
+    if (!watch.watches(sensor)) continue;
     ++drifted;
     for (int k = 0; k < 4000; ++k) fly(1, sensor, 6.0 * k / 4000.0);
     ASSERT_TRUE(used(sensor));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data path allocates nothing after start: every operator new of the process is counted.
 
 #include <gtest/gtest.h>

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/error_propagation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
@@ -52,7 +54,7 @@ void expect_agreement_with_a_fleet(const std::shared_ptr<const design::Design>& 
     if (moving) flight.start_moving();
     monitor::MonitorCycle cycle(design, monitor::CycleOptions{});
     for (std::size_t checkpoint = 0, k = 0; checkpoint < samples.size(); ++checkpoint) {
-      for (; k < static_cast<std::size_t>(samples[checkpoint]); ++k) cycle.process(flight.next());
+      for (; k < as_size(samples[checkpoint]); ++k) cycle.process(flight.next());
       ratio[checkpoint] +=
           ((cycle.watch().filter().health() - flight.health()).array() / cycle.watch().error().health_sigma().array())
               .square();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sensors and words as the field has them: coarse, slow, without noise, and with one bad word now and then.
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 #include "monitor/cycle/monitor_cycle.h"
 #include "tests/unit/monitor/cycle/flight.h"
@@ -117,7 +119,7 @@ TEST(FieldSensors, CoarseTemperaturesAreUsed) {
         design, flown,
         [&](Sample& s, const Sample&) {
           for (const std::size_t i : slow) {
-            const double step = 0.5 * design->model.sensor_noise_sigma(static_cast<Eigen::Index>(i));
+            const double step = 0.5 * design->model.sensor_noise_sigma(as_index(i));
             s.sensor[i] = step * std::round(s.sensor[i] / step);
           }
         },
@@ -143,7 +145,7 @@ TEST(FieldSensors, ADesignThatKnowsOfSlowAndCoarseSensorsFusesEachValueHonestly)
   model.sensor_resolution = Eigen::VectorXd::Zero(7);
   model.sensor_update_period_s = Eigen::VectorXd::Zero(7);
   for (const std::size_t i : slow) {
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = as_index(i);
     model.sensor_resolution(at) = model.sensor_noise_sigma(at);
     model.sensor_update_period_s(at) = 33.0 * model.sample_time_s;
     model.sensor_noise_sigma(at) *= std::sqrt(33.0 * (1.0 + 1.0 / 12.0));
@@ -157,8 +159,8 @@ TEST(FieldSensors, ADesignThatKnowsOfSlowAndCoarseSensorsFusesEachValueHonestly)
       [&](Sample& s, const Sample& last) {
         for (const std::size_t i : slow) {
           // The flight's noise is the counted one; the sensor's own takes its place.
-          const double q = model.sensor_resolution(static_cast<Eigen::Index>(i));
-          const double noise = own.sensor_noise_sigma(static_cast<Eigen::Index>(i)) * random.normal();
+          const double q = model.sensor_resolution(as_index(i));
+          const double noise = own.sensor_noise_sigma(as_index(i)) * random.normal();
           s.sensor[i] = q * std::round((s.sensor[i] + noise) / q);
           hold(s, last, i, 33);
         }

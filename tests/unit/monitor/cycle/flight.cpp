@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/monitor/cycle/flight.h"
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/design/design_tuner.h"
@@ -42,8 +44,7 @@ monitor::Sample Flight::next() {
   s.sensor_count = static_cast<std::uint32_t>(model_.sensors.size());
   s.sensor_valid = (1u << s.sensor_count) - 1u;
   s.actuator_count = static_cast<std::uint32_t>(model_.controls.size());
-  for (std::size_t i = 0; i < model_.sensors.size(); ++i)
-    s.sensor[i] = model_.sensors[i].trim + y(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < model_.sensors.size(); ++i) s.sensor[i] = model_.sensors[i].trim + y(as_index(i));
   for (std::size_t i = 0; i < model_.controls.size(); ++i)
     s.actuator[i] = model_.controls[i].trim + (i == 0 ? du_ : 0.0);
   x_ = model_.A * x_ + model_.B * du + model_.L * h_;
@@ -54,7 +55,7 @@ monitor::Sample Flight::next() {
 
 Eigen::VectorXd Flight::auxiliary() const {
   Eigen::VectorXd z = model_.F * x_ + model_.G.col(0) * du_ + model_.N * h_;
-  for (std::size_t i = 0; i < model_.auxiliary.size(); ++i) z(static_cast<Eigen::Index>(i)) += model_.auxiliary[i].trim;
+  for (std::size_t i = 0; i < model_.auxiliary.size(); ++i) z(as_index(i)) += model_.auxiliary[i].trim;
   return z;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Sensor samples from the linear truth of a made-up engine with seven sensors and ten health parameters.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/monitor_cycle.h"
 
 #include <gmock/gmock.h>

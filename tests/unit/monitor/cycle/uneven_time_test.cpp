@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A whole flight by clocks and counters that are not perfect: the filter flies on, one event says what is wrong, and
 // what is truly wrong is still found. Figures of the clocks: a PC's tick is 15.625 ms, an RTOS' 20 ms, an RTC's 1 s.
 

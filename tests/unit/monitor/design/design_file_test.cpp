@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Design files: exact round trip, content hash, and refusal of what was damaged or changed.
 
 #include "monitor/design/design_file.h"

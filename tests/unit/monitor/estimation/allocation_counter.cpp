@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/unit/monitor/estimation/allocation_counter.h"
 
 #include <atomic>
 #include <cstdlib>
 #include <new>
+
+#include "deploy/runtime/numbers/index.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -30,7 +33,7 @@ void* operator new(std::size_t size) {
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   ++allocations;
-  const auto a = static_cast<std::size_t>(alignment);
+  const auto a = as_size(alignment);
   if (void* memory = std::aligned_alloc(a, (size + a - 1) / a * a)) return memory;
   throw std::bad_alloc();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Counts every allocation of a test program: operator new, and malloc and realloc, which Eigen calls directly. The
 // program must be linked with -Wl,--wrap=malloc -Wl,--wrap=realloc.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every estimator of the table promises (monitor/estimation/estimator.h): one suite, a row for each.
 
 #include "monitor/estimation/estimator.h"
@@ -9,6 +10,7 @@
 #include <limits>
 #include <string>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/make_estimator.h"
 #include "tests/unit/monitor/cycle/flight.h"
 #include "tests/unit/monitor/estimation/allocation_counter.h"
@@ -53,8 +55,7 @@ class Flown {
       before_ = now;
       estimation::SensorVector y(sensors);
       for (int i = 0; i < sensors; ++i)
-        y(i) = available[static_cast<std::size_t>(i)] ? sample.sensor[static_cast<std::size_t>(i)]
-                                                      : std::numeric_limits<double>::quiet_NaN();
+        y(i) = available[as_size(i)] ? sample.sensor[as_size(i)] : std::numeric_limits<double>::quiet_NaN();
       estimator_.innovate(y, now);
       estimator_.update(available, 1);
     }
@@ -217,7 +218,7 @@ TEST_P(EveryEstimator, AllocatesNothingAfterConstruction) {
   const monitor::Sample sample = flight.next();
   const Conditions now = conditions_of(sample);
   estimation::SensorVector y(sensors);
-  for (int i = 0; i < sensors; ++i) y(i) = sample.sensor[static_cast<std::size_t>(i)];
+  for (int i = 0; i < sensors; ++i) y(i) = sample.sensor[as_size(i)];
   const long before = test::allocation_count();
   for (int k = 0; k < 50; ++k) {
     estimator_->use(k < 20 ? all_sensors() : SensorMask(all_sensors()).reset(2));

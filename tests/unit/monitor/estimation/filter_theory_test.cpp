@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The filter on the linear truth against the theory of its error: constant health drawn from the fleet, sensor noise,
 // process noise, moving actuators. Squared errors must agree with the published variances within 3 standard errors.
 
@@ -5,6 +6,7 @@
 
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/make_filter.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/design_tuner.h"
@@ -25,7 +27,7 @@ Errors fly_fleet(const design::Design& design, SensorSet set, test::Random& rand
   TunerFilter filter = design::make_filter(design);
   Errors errors{Eigen::MatrixXd(model.L.cols(), engines), Eigen::MatrixXd(model.F.rows(), engines)};
   Eigen::VectorXd z_trim(model.F.rows());
-  for (Eigen::Index i = 0; i < z_trim.size(); ++i) z_trim(i) = model.auxiliary[static_cast<std::size_t>(i)].trim;
+  for (Eigen::Index i = 0; i < z_trim.size(); ++i) z_trim(i) = model.auxiliary[as_size(i)].trim;
   for (int engine = 0; engine < engines; ++engine) {
     const Eigen::VectorXd h = model.health_sigma.cwiseProduct(random.normal_vector(model.L.cols()));
     Eigen::VectorXd x = Eigen::VectorXd::Zero(model.A.rows());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The full-order Gauss-Markov filter: the one that flies against its theory, against the plain recursion, and against
 // the Bayes limit.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The time-varying full-order filter against what is known in closed form: MAP on averages, the information form, the
 // Bayes limit; and its covariance against its own errors over a fleet.
 
@@ -5,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/steady_gain.h"
@@ -122,7 +123,7 @@ TEST(TimeVaryingFilter, AVaryingSensorSetAddsUpItsInformation) {
   for (int k = 0; k < 100; ++k) {
     if (k > 0) filter.predict(no_actuators);
     for (int i = 0; i < 4; ++i) {
-      const bool present = present_at(k)[static_cast<std::size_t>(i)];
+      const bool present = present_at(k)[as_size(i)];
       y(i) = present ? 0.1 * i : std::numeric_limits<double>::quiet_NaN();
       if (present) information += fleet.steady.H.row(i).transpose() * fleet.steady.H.row(i) / fleet.R(i, i);
     }

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
 // TunerFilter: what it does with sensors that are not fused, with switched sensor sets, with inputs, and no allocation.
 
 #include "monitor/estimation/tuner_filter.h"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <memory>
 
+#include "deploy/runtime/numbers/decompositions.h"
 #include "monitor/design/make_filter.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/monitor/estimation/allocation_counter.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each wiring mistake on its own: what is found, and that nothing else is. The design is a small model of our own whose
 // steady gains are one by hand: y = trim + h + u.
 

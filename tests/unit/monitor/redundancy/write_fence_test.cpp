@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When a monitor with a partner may write, in time that the test makes up.
 
 #include "monitor/redundancy/write_fence.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/service/event_text.h"
 #include "idl/printable.h"
 

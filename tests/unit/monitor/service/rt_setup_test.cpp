@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "monitor/realtime/rt_setup.h"
 
 #include <gmock/gmock.h>

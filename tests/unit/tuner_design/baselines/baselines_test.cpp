@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of baselines, the best subset, and the filters that need no tuners, on the JT9D reference and a made-up
 // engine.
 
@@ -13,7 +14,7 @@
 #include "tuner_design/baselines/best_subset.h"
 #include "tuner_design/baselines/tuner_baselines.h"
 #include "tuner_design/design/design_tuner.h"
-#include "tuner_design/print/baseline_report.h"
+#include "tuner_design/print/baseline_text.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command line: exit codes 0, 1, 2 and what is printed where.
 
 #include <gmock/gmock.h>

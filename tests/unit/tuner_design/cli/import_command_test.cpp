@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Users' matrices through the commands: the same engine as JSON, MATLAB file and CSV folder gives the same design.
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/model_file.h"
 #include "monitor/design/design_file.h"
 #include "tests/temporary_folder.h"
@@ -51,7 +53,7 @@ class ImportCommand : public testing::Test {
     if (all <= most) return;
     nlohmann::json json = nlohmann::json::parse(folder_.content("model.json"));
     for (std::size_t i = most; i < all; ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
+      const auto at = as_index(i);
       json["sensors"].push_back({{"name", whole.sensors[i].name},
                                  {"unit", whole.sensors[i].unit},
                                  {"trim", whole.sensors[i].trim},

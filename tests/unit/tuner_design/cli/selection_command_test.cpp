@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `tuner_design baselines` and `tuner_design sensors`: what they write, and how they refuse.
 
 #include <gmock/gmock.h>

@@ -1,15 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties that every design must have.
 
 #include "tuner_design/design/design_tuner.h"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
+#include "deploy/runtime/numbers/decompositions.h"
 #include "engine_sim/linear_model/discretise.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/print/design_report.h"
+#include "tuner_design/print/design_text.h"
 #include "tuner_design/search/row_space.h"
 #include "tuner_design/theory/kalman_error.h"
 #include "tuner_design/theory/kalman_gain.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sensors that repeat each other, or see nothing: rank decides how many tuners there are, and an extra probe never
 // makes the filter slower or worse. Expected errors come from the design without the extra probe, or from weighting:
 // two equal probes are one with the sum of their information, so that 1/sigma^2 adds up.
@@ -5,16 +6,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
 #include <cmath>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/make_filter.h"
-#include "monitor/judge/fault_signatures.h"
+#include "monitor/diagnosis/fault_signatures.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/design/tuner_number.h"
-#include "tuner_design/print/design_report.h"
+#include "tuner_design/print/design_text.h"
 #include "tuner_design/sensors/sensor_set.h"
 
 namespace ehm::tuner_design {
@@ -29,7 +31,7 @@ LinearModel with_probe(LinearModel model, const std::string& name, const Eigen::
   linear_model::Channel channel = model.sensors.back();
   channel.name = name;
   channel.trim = 0.0;
-  for (Eigen::Index i = 0; i < m; ++i) channel.trim += of(i) * model.sensors[static_cast<std::size_t>(i)].trim;
+  for (Eigen::Index i = 0; i < m; ++i) channel.trim += of(i) * model.sensors[as_size(i)].trim;
   model.sensors.push_back(channel);
   for (Eigen::MatrixXd* matrix : {&model.C, &model.D, &model.M}) {
     matrix->conservativeResize(m + 1, Eigen::NoChange);
@@ -41,12 +43,12 @@ LinearModel with_probe(LinearModel model, const std::string& name, const Eigen::
 }
 
 Eigen::RowVectorXd row(const LinearModel& model, std::size_t sensor) {
-  return Eigen::RowVectorXd::Unit(model.C.rows(), static_cast<Eigen::Index>(sensor));
+  return Eigen::RowVectorXd::Unit(model.C.rows(), as_index(sensor));
 }
 
 LinearModel with_twin(const LinearModel& model, std::size_t of, double noise_share = 1.0) {
   return with_probe(model, model.sensors[of].name + "_2_" + std::to_string(model.sensors.size()), row(model, of),
-                    noise_share * model.sensor_noise_sigma(static_cast<Eigen::Index>(of)));
+                    noise_share * model.sensor_noise_sigma(as_index(of)));
 }
 
 Design closed_form(const LinearModel& model, double qh = 1e-3) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The study of the fault detector, reduced: one round of its table and half an hour with nothing broken. Its seed is
 // none that the detector was built with; margins are those of some 80 cases.
 
@@ -8,12 +9,13 @@
 
 #include <algorithm>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d_engine.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/linearise/linearise.h"
-#include "tuner_design/print/false_alarm_report.h"
-#include "tuner_design/print/fault_study_report.h"
+#include "tuner_design/print/false_alarm_text.h"
+#include "tuner_design/print/fault_study_text.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -64,7 +66,7 @@ TEST(FaultStudy, IsTheSameOnAnyNumberOfThreadsAndReportsEveryCase) {
   const FaultStudy one = studied(design, {12, 0.0, 5, 1}), three = studied(design, {12, 0.0, 5, 3});
   const std::string csv = fault_study_as_csv(one);
   EXPECT_EQ(csv, fault_study_as_csv(three));
-  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), 1 + 12 - one.not_flown);
+  EXPECT_EQ(as_size(std::count(csv.begin(), csv.end(), '\n')), 1 + 12 - one.not_flown);
   const auto json = fault_study_as_json(one);
   EXPECT_EQ(json["confusion"].size(), 7u + 10u + 1u);
 }

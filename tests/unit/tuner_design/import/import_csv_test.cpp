@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A folder of CSV files: what may be left out, and every mistake with its file and line.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MATLAB files that are not what they seem: cut off, altered, of another version, ambiguous.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a MATLAB file may not state: one message each, with the variable, the entry, what is allowed, what to do.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MATLAB files with objects (strings in double quotes, tables, ss ...) and with what linmod returns. The objects are
 // written byte by byte, as MATLAB's files have them: libmatio cannot.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MATLAB files: every form that MATLAB writes a matrix or a text in, and what is assumed where it says nothing.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The smallest model as a MATLAB file, whole or with a defect, and what the import says to it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Linear models of engines whose files name other channels than the default one's.
 
 #include <gmock/gmock.h>
@@ -6,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/engine_file.h"
 #include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/engines/shipped_engines.h"
@@ -57,10 +59,10 @@ std::shared_ptr<const EngineDefinition> rearranged() {
   auto& channels = engine->channels;
   const engine_sim::NamedChannels all = channels;
   channels = {};
-  for (const auto i : sensors) channels.sensors.push_back(all.sensors[static_cast<std::size_t>(i)]);
-  for (const auto i : outputs) channels.auxiliary.push_back(all.auxiliary[static_cast<std::size_t>(i)]);
-  for (const auto i : controls) channels.controls.push_back(all.controls[static_cast<std::size_t>(i)]);
-  for (const auto i : healths) channels.health.push_back(all.health[static_cast<std::size_t>(i)]);
+  for (const auto i : sensors) channels.sensors.push_back(all.sensors[as_size(i)]);
+  for (const auto i : outputs) channels.auxiliary.push_back(all.auxiliary[as_size(i)]);
+  for (const auto i : controls) channels.controls.push_back(all.controls[as_size(i)]);
+  for (const auto i : healths) channels.health.push_back(all.health[as_size(i)]);
   return engine;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The linear model against the nonlinear engine that it was made from.
 
 #include "tuner_design/linearise/linearise.h"
@@ -7,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/engine_file.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/engines/jt9d_engine.h"
@@ -85,7 +87,7 @@ TEST_F(LineariseAtCruise, SteadyGainPredictsASmallDeterioration) {
     engine_sim::HealthVector health{};
     health[i] = -0.001;
     const engine_sim::SteadyPoint worn = engine_sim::solve_steady(turbofan, options.flight, health, fuel);
-    const auto column = static_cast<Eigen::Index>(i);
+    const auto column = as_index(i);
     const Eigen::VectorXd change = -0.001 * steady.H.col(column);
     const double trims[] = {trim.gas.speeds.n1_rpm, trim.gas.s30.tt_k, trim.gas.ps_30_pa};
     const double actual[] = {worn.gas.speeds.n1_rpm - trim.gas.speeds.n1_rpm, worn.gas.s30.tt_k - trim.gas.s30.tt_k,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Experiment against theory on the linear truth, and against a wrong theory; the same bytes on any number of threads.
 
 #include "tuner_design/monte_carlo/evaluation.h"
@@ -9,7 +10,7 @@
 #include "tuner_design/monte_carlo/finite_window.h"
 #include "tuner_design/monte_carlo/kalman_experiment.h"
 #include "tuner_design/monte_carlo/map_experiment.h"
-#include "tuner_design/print/evaluation_report.h"
+#include "tuner_design/print/evaluation_text.h"
 
 namespace ehm::tuner_design {
 namespace {

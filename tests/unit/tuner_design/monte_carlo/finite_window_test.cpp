@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Theory of a finite window: against the figures of theory.md, section 4, against the monitor's own error propagation, and
 // in its limits.
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nonlinear truth: in balance as the transient engine says, near the linear model, refused where it does not fit;
 // and the figures of a design for the whole fleet on it.
 
 #include <gtest/gtest.h>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/model/solve/transient.h"
@@ -40,7 +42,7 @@ TEST(NonlinearTruth, StaysWhereItIsInFlight) {
   const engine_sim::Turbofan turbofan(engine_sim::jt9d());
   engine_sim::Operation worn{.flight = {10668.0, 0.8, 0.0}};
   const estimation::HealthVector h = some_wear();
-  for (std::size_t i = 0; i < worn.health.size(); ++i) worn.health[i] = h(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < worn.health.size(); ++i) worn.health[i] = h(as_index(i));
   const double n1_rpm = design.model.states[0].trim;
   const engine_sim::SteadyPoint start =
       engine_sim::solve_steady(turbofan, worn, {engine_sim::DemandKind::n1_rpm, n1_rpm});
@@ -53,8 +55,8 @@ TEST(NonlinearTruth, StaysWhereItIsInFlight) {
   const double flown[]{gas.speeds.n1_rpm, gas.speeds.n2_rpm, gas.s24.pt_pa, gas.s24.tt_k,
                        gas.ps_30_pa,      gas.s30.tt_k,      gas.s48.tt_k};
   for (Eigen::Index i = 0; i < 7; ++i) {
-    const double value = design.model.sensors[static_cast<std::size_t>(i)].trim + engine->sensors(i);
-    EXPECT_NEAR(value / flown[i], 1.0, 1e-9) << design.model.sensors[static_cast<std::size_t>(i)].name;
+    const double value = design.model.sensors[as_size(i)].trim + engine->sensors(i);
+    EXPECT_NEAR(value / flown[i], 1.0, 1e-9) << design.model.sensors[as_size(i)].name;
   }
   EXPECT_NEAR(design.model.controls[0].trim + engine->controls(0), start.operation.fuel_flow_kg_s, 1e-9);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The random numbers of Monte Carlo: the generator against its published definition, the normal deviates against the
 // distribution.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Checks one report page as a browser, a screen reader and a firewall would.
 
 Usage: check_page.py PAGE.html CSV_FOLDER

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pieces of a report, with plain data: text, tables, axes, charts.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report of a design: what it says is what the design holds, and the page is one that any browser can show.
 
 #include <gmock/gmock.h>
@@ -8,13 +9,14 @@
 #include <fstream>
 #include <sstream>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/make_filter.h"
 #include "tests/temporary_folder.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/cli/commands.h"
 #include "tuner_design/design/design_tuner.h"
-#include "tuner_design/print/design_report.h"
+#include "tuner_design/print/design_text.h"
 #include "tuner_design/report/design_page.h"
 #include "tuner_design/report/report_data.h"
 #include "tuner_design/report/step_response.h"
@@ -41,9 +43,8 @@ Result run(const std::vector<std::string>& arguments) {
 /// Adds a linearisation error as a fleet fit would: some 0.1 % of each sensor and output.
 linear_model::LinearModel with_linearisation_error(linear_model::LinearModel model) {
   Eigen::VectorXd sigma(model.C.rows() + model.F.rows());
-  for (Eigen::Index i = 0; i < model.C.rows(); ++i) sigma(i) = 1e-3 * model.sensors[static_cast<std::size_t>(i)].trim;
-  for (Eigen::Index i = 0; i < model.F.rows(); ++i)
-    sigma(model.C.rows() + i) = 1e-3 * model.auxiliary[static_cast<std::size_t>(i)].trim;
+  for (Eigen::Index i = 0; i < model.C.rows(); ++i) sigma(i) = 1e-3 * model.sensors[as_size(i)].trim;
+  for (Eigen::Index i = 0; i < model.F.rows(); ++i) sigma(model.C.rows() + i) = 1e-3 * model.auxiliary[as_size(i)].trim;
   model.linearisation_error = sigma.cwiseAbs2().asDiagonal();
   return model;
 }
@@ -74,7 +75,7 @@ double number_in(const Page& page, const std::string& table_id, const std::strin
       if (id != table_id) continue;
       const auto at = std::find(table.columns.begin(), table.columns.end(), column) - table.columns.begin();
       for (const auto& cells : table.rows) {
-        if (std::get<std::string>(cells[0]) == row) return std::get<double>(cells.at(static_cast<std::size_t>(at)));
+        if (std::get<std::string>(cells[0]) == row) return std::get<double>(cells.at(as_size(at)));
       }
     }
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search for V*: gradient, optima, certificate.
 
 #include "tuner_design/search/tuner_search.h"
@@ -5,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/choose_tuners.h"
 #include "tuner_design/design/design_tuner.h"
@@ -223,7 +225,7 @@ TEST_F(ReferenceSearch, OneTunerMatrixForTheEnvelope) {
   for (const design::Design& design : designs) {
     EXPECT_EQ(design.full.V, designs.front().full.V);
     // The ratios of the certificate are those of the designs.
-    const auto& point = design.certificate.points[static_cast<std::size_t>(&design - designs.data())];
+    const auto& point = design.certificate.points[as_size(&design - designs.data())];
     EXPECT_NEAR(design.ssee.health.sum() / design.bayes_limit.health.sum() / point.health_ratio, 1.0, 1e-9);
     EXPECT_NEAR(design.ssee.auxiliary.sum() / design.bayes_limit.auxiliary.sum() / point.auxiliary_ratio, 1.0, 1e-9);
   }

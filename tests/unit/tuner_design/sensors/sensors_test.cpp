@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sensor selection against brute force, bounds against the Bayes limit, and what the front must be.
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <bit>
 #include <numeric>
 
+#include "deploy/runtime/numbers/index.h"
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/sensors/sensor_front.h"
@@ -148,7 +150,7 @@ TEST(SensorSetValue, IsWhatADesignOnTheseSensorsPublishes) {
   const std::vector<int> some{0, 2, 3};
   linear_model::LinearModel part = model;
   part.sensors.clear();
-  for (const int i : some) part.sensors.push_back(model.sensors[static_cast<std::size_t>(i)]);
+  for (const int i : some) part.sensors.push_back(model.sensors[as_size(i)]);
   part.sensor_noise_sigma = Eigen::VectorXd(model.sensor_noise_sigma(some));
   part.C = Eigen::MatrixXd(model.C(some, Eigen::all));
   part.D = Eigen::MatrixXd(model.D(some, Eigen::all));

@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // MAP estimators, Bayes limit and observability on models that are made up here.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-
+#include "deploy/runtime/numbers/decompositions.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"

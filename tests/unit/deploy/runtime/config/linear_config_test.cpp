@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // engine_sim's configuration with a linear model: tables speak of its channels, what it cannot fly is refused.
 
 #include <gmock/gmock.h>

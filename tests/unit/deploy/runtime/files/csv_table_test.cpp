@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading CSV as people and spreadsheets write it, and refusing what is not CSV; writing files as a whole.
 
 #include "deploy/runtime/files/csv_table.h"

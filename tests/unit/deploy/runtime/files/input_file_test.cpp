@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a path may lead to, and what is said of the rest.
 
 #include "deploy/runtime/files/input_file.h"

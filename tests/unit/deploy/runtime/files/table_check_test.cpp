@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tables that are not whole, each of a kind: refused with the line, the cells expected and found, and what is the
 // likely cause. And whole ones that look odd: taken.
 

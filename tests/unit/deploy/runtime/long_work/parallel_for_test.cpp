@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/long_work/parallel_for.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "deploy/runtime/long_work/progress_bar.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A recording is readable up to its last commit, whenever its writer dies: a child process writes and is killed.
 
 #include <gtest/gtest.h>

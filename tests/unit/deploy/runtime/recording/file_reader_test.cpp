@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that are no recordings are refused with their name and the reason, never read as something else.
 
 #include "deploy/runtime/recording/file_reader.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is written is read back to the bit.
 
 #include "deploy/runtime/recording/writer.h"

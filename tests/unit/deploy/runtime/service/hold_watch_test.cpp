@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "idl/dds/hold_watch.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Addresses to listen on, and the server that does.
 
 #include "deploy/runtime/service/listen_address.h"
@@ -17,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/http_server.h"
 
 namespace {
@@ -86,8 +88,7 @@ std::string answer_to(int port, const std::string& request) {
   const int client = speak(port, request);
   std::string answer;
   char buffer[4096];
-  for (ssize_t got = 0; (got = recv(client, buffer, sizeof buffer, 0)) > 0;)
-    answer.append(buffer, static_cast<std::size_t>(got));
+  for (ssize_t got = 0; (got = recv(client, buffer, sizeof buffer, 0)) > 0;) answer.append(buffer, as_size(got));
   close(client);
   return answer;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one error of the middleware that is kept from the log, and no other.
 
 #include "idl/dds/middleware_log.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What strangers put into their samples: counts beyond the arrays, texts that steer terminals.
 
 #include "idl/dds/tidy.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of units against one of our own, whose numbers are worked out here from the definitions: of the pound, the
 // inch, standard gravity and the scales of temperature (SI brochure, NIST SP 811).
 

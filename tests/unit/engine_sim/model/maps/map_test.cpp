@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sanity of the fitted maps: what a compressor or turbine does, whatever the numbers were fitted to.
 #include <gtest/gtest.h>
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/model/onboard/gas_path_jacobian.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "tests/unit/engine_sim/model/onboard/operating_points.h"
 #include "tests/unit/engine_sim/model/throttle_slam.h"
@@ -73,10 +75,10 @@ TEST(GasPathJacobian, IsThatOfCentralDifferencesOverTheEnvelope) {
     ASSERT_EQ(board.evaluate(p.operation, p.speeds, gas, jacobian, &p.metal), GasPathStatus::ok);
     const Moved moved(engine, p, board.unknowns());
     for (std::size_t j = 0; j < gas_path_input::count; ++j) {
-      const Column e = error(jacobian.col(static_cast<Eigen::Index>(j)), moved, j, column(sizes_of(gas)));
+      const Column e = error(jacobian.col(as_index(j)), moved, j, column(sizes_of(gas)));
       Eigen::Index row = 0;
       worst = std::max(worst, e.maxCoeff(&row));
-      EXPECT_LT(e(row), 1e-6) << names[static_cast<std::size_t>(row)] << " by " << name(j) << ", point " << i;
+      EXPECT_LT(e(row), 1e-6) << names[as_size(row)] << " by " << name(j) << ", point " << i;
     }
   }
   RecordProperty("worst_parts_per_billion", static_cast<int>(1e9 * worst));
@@ -97,7 +99,7 @@ TEST(GasPathJacobian, BleedValvesThatAreShutHaveTheSlopeOfOpening) {
   const Column opening = (4.0 * y1 - 3.0 * y0 - y2) / (2.0 * h), size = column(sizes_of(gas));
   const Column exact = jacobian.col(gas_path_input::vbv);
   EXPECT_LT(((exact - opening).abs() / opening.abs().max(size)).maxCoeff(), 1e-5);
-  EXPECT_GT(std::abs(exact(static_cast<Eigen::Index>(*place("w_30_kg_s")))), 0.1);  // it does open
+  EXPECT_GT(std::abs(exact(as_index(*place("w_30_kg_s")))), 0.1);  // it does open
 }
 
 TEST(GasPathJacobian, WithoutHeatSoakTheMetalsRowsAndColumnsAreZero) {
@@ -121,9 +123,9 @@ TEST(GasPathJacobian, AnInputThatIsAQuantityHasItselfAsDerivative) {
   GasPathJacobian jacobian;
   ASSERT_EQ(board.evaluate(p.operation, p.speeds, gas, jacobian), GasPathStatus::ok);
   for (const std::size_t input : {gas_path_input::n1, gas_path_input::n2, gas_path_input::fuel_flow}) {
-    const auto row = static_cast<Eigen::Index>(*place(name(input)));
+    const auto row = as_index(*place(name(input)));
     for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
-      EXPECT_EQ(jacobian(row, j), j == static_cast<Eigen::Index>(input) ? 1.0 : 0.0);
+      EXPECT_EQ(jacobian(row, j), j == as_index(input) ? 1.0 : 0.0);
     }
   }
 }

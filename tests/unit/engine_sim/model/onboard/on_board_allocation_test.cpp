@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The on-board model allocates nothing after its construction: along a slam, with derivatives, and where it has no
 // answer.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/model/onboard/on_board_engine.h"
 
 #include <gtest/gtest.h>
@@ -5,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/model/solve/transient.h"
 #include "tests/unit/engine_sim/model/onboard/operating_points.h"
@@ -137,8 +139,8 @@ TEST(OnBoardEngine, AnyNumberAnywhereGivesAStatusAndFiniteResults) {
     const OperatingPoint good = points.next();
     auto p = inputs_of(good.operation, good.speeds, &good.metal);
     for (int k = 0; k < 1 + i % 3; ++k) {
-      p[static_cast<std::size_t>(random.uniform(0.0, gas_path_input::count))] =
-          odd[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(odd.size())))];
+      p[as_size(random.uniform(0.0, gas_path_input::count))] =
+          odd[as_size(random.uniform(0.0, static_cast<double>(odd.size())))];
     }
     const auto drive = drive_of(good.operation, p);
     GasPath gas;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Seeded points at which an on-board model may be asked: between idle and maximum over the envelope, worn, vanes, bleed
 // valves and nozzle off their schedules, with off-take, the spools out of balance by some percent and the metal too.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What actuators, bleed and off-take do to the engine, and where the model ends.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The transient allocates nothing after its construction, neither on a slam nor at a leap.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The product against Eigen's own, over all sizes that the blocks distinguish, and its order of summation.
 
 #include "monitor/estimation/linear/matrix_vector_product.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The product against Eigen's own, for every number of rows, and the same bits from both of its forms.
 
 #include "monitor/estimation/linear/padded_matrix.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Riccati and Lyapunov solvers: numbers of scipy (fixtures/scipy_reference.json says how they were made), and what must
 // hold for any solution: residual, symmetry, definiteness, stability.
 
@@ -6,12 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "deploy/runtime/numbers/decompositions.h"
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/linear/lyapunov.h"
 #include "tests/unit/tuner_design/test_models.h"
 
@@ -29,7 +30,7 @@ Eigen::MatrixXd matrix(const nlohmann::json& rows) {
   Eigen::MatrixXd result(rows.size(), rows.at(0).size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; j < rows[i].size(); ++j) {
-      result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = rows[i][j].get<double>();
+      result(as_index(i), as_index(j)) = rows[i][j].get<double>();
     }
   }
   return result;
@@ -63,8 +64,7 @@ TEST(Riccati, RandomProblemsSolveTheEquationAndStabilise) {
   Random random(1);
   for (int problem = 0; problem < 200; ++problem) {
     SCOPED_TRACE(problem);
-    const auto n = static_cast<Eigen::Index>(random.uniform(1, 12)),
-               m = static_cast<Eigen::Index>(random.uniform(1, 8));
+    const auto n = as_index(random.uniform(1, 12)), m = as_index(random.uniform(1, 8));
     Eigen::MatrixXd A = random.normal_matrix(n, n);
     A *= random.uniform(0.5, 1.1) / estimation::spectral_radius(A);  // stable and unstable ones
     const Eigen::MatrixXd C = random.normal_matrix(m, n);
@@ -137,7 +137,7 @@ TEST(Lyapunov, RandomProblemsSolveTheEquation) {
   Random random(2);
   for (int problem = 0; problem < 200; ++problem) {
     SCOPED_TRACE(problem);
-    const auto n = static_cast<Eigen::Index>(random.uniform(1, 12));
+    const auto n = as_index(random.uniform(1, 12));
     Eigen::MatrixXd A = random.normal_matrix(n, n);
     A *= random.uniform(0.1, 0.999) / estimation::spectral_radius(A);
     const Eigen::MatrixXd Q = positive_definite(random, n);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "monitor/design/closed_loop.h"
+
+#include "deploy/runtime/numbers/decompositions.h"
+
+namespace ehm::design {
+
+Eigen::MatrixXd closed_loop(const SubsetDesign& subset) {
+  return subset.A - subset.K * subset.C * subset.A;
+}
+
+Eigen::MatrixXd settled(const Eigen::MatrixXd& closed_loop, const Eigen::MatrixXd& drive) {
+  const Eigen::Index size = closed_loop.rows();
+  return (Eigen::MatrixXd::Identity(size, size) - closed_loop).partialPivLu().solve(drive);
+}
+
+Eigen::MatrixXd process_noise_entry(const SubsetDesign& subset, Eigen::Index n) {
+  const Eigen::Index size = subset.A.rows();
+  return (Eigen::MatrixXd::Identity(size, size) - subset.K * subset.C).leftCols(n);
+}
+
+}  // namespace ehm::design

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// How the steady-state filter of one set of sensors forgets, and where it settles (theory.md, section 4). With xq = [x; q]:
+//
+//   xq+[k] = Acl xq+[k-1] + K y[k] + ...,   Acl = (I - K C) A
+//   constant drive d a sample:               xq+ -> (I - Acl)^-1 d
+//   process noise w of the n states of x:    enters xq+ by (I - K C) [I; 0] w
+//
+// Shapes: A, Acl (n+t) x (n+t), K (n+t) x m, C m x (n+t).
+
+#include <Eigen/Core>
+
+#include "monitor/design/design.h"
+
+namespace ehm::design {
+
+/// Acl; stable for a design that the file reader has let in (subset_json.cpp).
+Eigen::MatrixXd closed_loop(const SubsetDesign& subset);
+
+/// (I - Acl)^-1 drive, a column for every column of `drive`.
+Eigen::MatrixXd settled(const Eigen::MatrixXd& closed_loop, const Eigen::MatrixXd& drive);
+
+/// (I - K C) [I; 0], (n+t) x n.
+Eigen::MatrixXd process_noise_entry(const SubsetDesign& subset, Eigen::Index n);
+
+}  // namespace ehm::design
