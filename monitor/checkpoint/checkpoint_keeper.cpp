@@ -21,8 +21,11 @@ std::optional<Event> CheckpointKeeper::resume(EngineSlot& slot) const noexcept {
   const Resumption verdict = slot.cycle.resume(checkpoint->state, slot.sample, max_age_s_);
   const double gap_s =
       continuation(checkpoint->state, slot.sample, slot.cycle.design().model.sample_time_s, max_age_s_).gap_s;
-  return Event{idl::EventKind::checkpoint,         0, verdict != Resumption::taken, gap_s, max_age_s_,
-               static_cast<std::uint32_t>(verdict)};
+  return Event{.kind = idl::EventKind::checkpoint,
+               .raised = verdict != Resumption::taken,
+               .value = gap_s,
+               .threshold = max_age_s_,
+               .detail = static_cast<std::uint32_t>(verdict)};
 }
 
 void CheckpointKeeper::keep(EngineSlot& slot, std::int64_t now_ns) noexcept {

@@ -69,9 +69,10 @@ void CheckpointWriter::write(const CheckpointRequest& request) {
 void CheckpointWriter::tell(bool failing, const std::string& why) {
   if (failing == failing_) return;
   failing_ = failing;
-  notices_.post({idl::EventKind::checkpoint, failing,
-                 failing ? "checkpoints cannot be written, the monitor flies without and tries again: " + why
-                         : "checkpoints are written again"});
+  notices_.post({.kind = idl::EventKind::checkpoint,
+                 .raised = failing,
+                 .text = failing ? "checkpoints cannot be written, the monitor flies without and tries again: " + why
+                                 : "checkpoints are written again"});
 }
 
 }  // namespace ehm::monitor

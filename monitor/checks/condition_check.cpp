@@ -99,7 +99,12 @@ bool ConditionCheck::mend(std::size_t word, double& value, int steps, EventList&
   const auto detail = static_cast<std::uint32_t>(state == WordCheck::State::lost);
   if (begins || check.steady())
     fault_[word].set(begins,
-                     {idl::EventKind::condition_fault, static_cast<std::uint32_t>(word), begins, came, good, detail},
+                     {.kind = idl::EventKind::condition_fault,
+                      .channel = static_cast<std::uint32_t>(word),
+                      .raised = begins,
+                      .value = came,
+                      .threshold = good,
+                      .detail = detail},
                      events);
   return state != WordCheck::State::lost;
 }
@@ -107,7 +112,7 @@ bool ConditionCheck::mend(std::size_t word, double& value, int steps, EventList&
 void ConditionCheck::reset(EventList& events) noexcept {
   for (std::size_t i = 0; i < words_.size(); ++i) {
     words_[i].reset();
-    fault_[i].set(false, {idl::EventKind::condition_fault, static_cast<std::uint32_t>(i), false, 0.0, 0.0, 0}, events);
+    fault_[i].set(false, {.kind = idl::EventKind::condition_fault, .channel = static_cast<std::uint32_t>(i)}, events);
   }
 }
 

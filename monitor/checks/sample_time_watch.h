@@ -38,11 +38,12 @@ class SampleTimeWatch {
       const double excess = mean_s / sample_time_s_ - 1.0;
       const int side = excess > tolerance ? 1 : excess < -tolerance ? -1 : 0;
       condition_.set(side != 0 && (condition_.raised() || side == last_side_),
-                     {idl::EventKind::sample_time, 0, false, mean_s, sample_time_s_, 0}, events);
+                     {.kind = idl::EventKind::sample_time, .value = mean_s, .threshold = sample_time_s_}, events);
       last_side_ = side;
       begin_block();
     } else if (steps_ >= too_long) {
-      condition_.set(false, {idl::EventKind::sample_time, 0, false, 0.0, sample_time_s_, not_measured}, events);
+      condition_.set(false, {.kind = idl::EventKind::sample_time, .threshold = sample_time_s_, .detail = not_measured},
+                     events);
       last_side_ = 0;
       begin_block();
     }

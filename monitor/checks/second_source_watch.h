@@ -18,8 +18,10 @@ class SecondSourceWatch {
   void foreign(const Sample& sample, std::uint32_t followed_id, EventList& events) noexcept {
     quiet_ = 0;
     condition_.set(true,
-                   {idl::EventKind::second_source, 0, true, static_cast<double>(sample.source_id),
-                    static_cast<double>(followed_id), 0},
+                   {.kind = idl::EventKind::second_source,
+                    .raised = true,
+                    .value = static_cast<double>(sample.source_id),
+                    .threshold = static_cast<double>(followed_id)},
                    events);
   }
   /// A sample of the source that is followed, `steps` sample times after the one before.
@@ -27,9 +29,7 @@ class SecondSourceWatch {
     if (condition_.raised() && (quiet_ += steps) >= enough_) end(events);
   }
   /// Nobody is followed any more; whoever sends next will be.
-  void end(EventList& events) noexcept {
-    condition_.set(false, {idl::EventKind::second_source, 0, false, 0.0, 0.0, 0}, events);
-  }
+  void end(EventList& events) noexcept { condition_.set(false, {.kind = idl::EventKind::second_source}, events); }
 
  private:
   static constexpr double quiet_s = 3.0;

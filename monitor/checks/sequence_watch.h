@@ -25,8 +25,10 @@ class SequenceWatch {
     ++lately_;
     good_ = 0;
     if (lately_ >= enough)
-      condition_.set(true, {idl::EventKind::source_sequence, 0, true, static_cast<double>(sample.sequence), 0.0, 0},
-                     events);
+      condition_.set(
+          true,
+          {.kind = idl::EventKind::source_sequence, .raised = true, .value = static_cast<double>(sample.sequence)},
+          events);
   }
   void in_order(const Sample& sample, EventList& events) noexcept {
     remember(sample);
@@ -40,7 +42,7 @@ class SequenceWatch {
   void end(EventList& events) noexcept {
     lately_ = 0;
     good_ = 0;
-    condition_.set(false, {idl::EventKind::source_sequence, 0, false, 0.0, 0.0, 0}, events);
+    condition_.set(false, {.kind = idl::EventKind::source_sequence}, events);
   }
 
  private:

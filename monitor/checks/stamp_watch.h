@@ -24,19 +24,19 @@ class StampWatch {
       if (!condition_.raised() && told_before_) calm_s_ = std::min(longest_calm_s, 2.0 * calm_s_);
       told_before_ = true;
       good_s_ = 0.0;
-      condition_.set(
-          true,
-          {idl::EventKind::source_stamps, 0, true, decision.dt_s, 0.0, static_cast<std::uint32_t>(decision.stamp)},
-          events);
+      condition_.set(true,
+                     {.kind = idl::EventKind::source_stamps,
+                      .raised = true,
+                      .value = decision.dt_s,
+                      .detail = static_cast<std::uint32_t>(decision.stamp)},
+                     events);
     } else if (condition_.raised()) {
       good_s_ += sample_time_s_ * decision.steps;
       if (good_s_ >= calm_s_) end(events);
     }
   }
   bool raised() const noexcept { return condition_.raised(); }
-  void end(EventList& events) noexcept {
-    condition_.set(false, {idl::EventKind::source_stamps, 0, false, 0.0, 0.0, 0}, events);
-  }
+  void end(EventList& events) noexcept { condition_.set(false, {.kind = idl::EventKind::source_stamps}, events); }
 
  private:
   static constexpr double longest_calm_s = 3600.0;

@@ -63,11 +63,11 @@ class Condition {
   }
   /// Ends it with the design that it is of.
   void end_with_design(idl::EventKind kind, std::uint32_t channel, EventList& events) noexcept {
-    set(false, {kind, channel, false, 0.0, 0.0, Event::design_exchanged}, events);
+    set(false, {.kind = kind, .channel = channel, .detail = Event::design_exchanged}, events);
   }
   /// Ends it with the filter that has found it.
   void reassess(idl::EventKind kind, std::uint32_t channel, EventList& events) noexcept {
-    set(false, {kind, channel, false, 0.0, 0.0, Event::reassessed}, events);
+    set(false, {.kind = kind, .channel = channel, .detail = Event::reassessed}, events);
   }
 
  private:

@@ -16,9 +16,12 @@ void InputWatch::deadline_missed(std::uint32_t engine_id, std::int64_t now_ns) {
   deadline_misses_.fetch_add(1, std::memory_order_relaxed);
   const std::lock_guard lock(mutex_);
   if (late_.insert_or_assign(engine_id, now_ns).second)
-    notices_.post({idl::EventKind::input_deadline, true,
-                   fmt::format("no sample within the deadline of {:.3g} s that its source offers", deadline_s_),
-                   engine_id, deadline_s_, deadline_s_});
+    notices_.post({.kind = idl::EventKind::input_deadline,
+                   .raised = true,
+                   .text = fmt::format("no sample within the deadline of {:.3g} s that its source offers", deadline_s_),
+                   .engine_id = engine_id,
+                   .value = deadline_s_,
+                   .threshold = deadline_s_});
 }
 
 void InputWatch::settle(std::int64_t now_ns) {
@@ -29,8 +32,10 @@ void InputWatch::settle(std::int64_t now_ns) {
       ++it;
       continue;
     }
-    notices_.post(
-        {idl::EventKind::input_deadline, false, "samples keep the deadline again", it->first, 0.0, deadline_s_});
+    notices_.post({.kind = idl::EventKind::input_deadline,
+                   .text = "samples keep the deadline again",
+                   .engine_id = it->first,
+                   .threshold = deadline_s_});
     it = late_.erase(it);
   }
 }
@@ -40,13 +45,16 @@ void InputWatch::liveliness_changed(int alive_change, int not_alive_change) {
   if (not_alive_change > 0) {
     liveliness_losses_.fetch_add(static_cast<std::uint64_t>(not_alive_change), std::memory_order_relaxed);
     lifeless_ = true;
-    notices_.post({idl::EventKind::input_liveliness, true,
-                   fmt::format("a source of EngineSensors has given no sign of life for {:.3g} s", lease_s_), 0,
-                   lease_s_, lease_s_});
+    notices_.post({.kind = idl::EventKind::input_liveliness,
+                   .raised = true,
+                   .text = fmt::format("a source of EngineSensors has given no sign of life for {:.3g} s", lease_s_),
+                   .value = lease_s_,
+                   .threshold = lease_s_});
   } else if (alive_change > 0 && lifeless_) {
     lifeless_ = false;
-    notices_.post(
-        {idl::EventKind::input_liveliness, false, "a source of EngineSensors is alive again", 0, 0.0, lease_s_});
+    notices_.post({.kind = idl::EventKind::input_liveliness,
+                   .text = "a source of EngineSensors is alive again",
+                   .threshold = lease_s_});
   }
 }
 

@@ -8,6 +8,8 @@
 // Source: Simon & Garg, NASA/TM-2010-216077, eqs. 5-8, 15-17; the error theory is theory.md, section 4.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -60,6 +62,13 @@ struct SubsetDesign {
 
   /// A thousandth is left of a start after that.
   [[nodiscard]] double settling_s() const noexcept { return 7.0 * slowest_time_constant_s; }
+  [[nodiscard]] int settling_samples(double sample_time_s) const noexcept {
+    return static_cast<int>(std::ceil(settling_s() / sample_time_s));
+  }
+  /// Over so many samples, at least one, the slowest part of the filter averages the noise.
+  [[nodiscard]] double averaged_samples(double sample_time_s) const noexcept {
+    return std::max(1.0, slowest_time_constant_s / sample_time_s);
+  }
 };
 
 /// Expected squared error by channel: health in percent^2, auxiliary in reporting units^2.

@@ -13,7 +13,7 @@ Eigen::VectorXd slow_bias_detectability(const linear_model::LinearModel& model, 
   const linear_model::LinearModel engine = linear_model::scaled(model, scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(engine).H;
   const Eigen::MatrixXd Ph = engine.health_sigma.cwiseAbs2().asDiagonal();
-  const double samples = std::max(1.0, full.slowest_time_constant_s / model.sample_time_s);
+  const double samples = full.averaged_samples(model.sample_time_s);
   const Eigen::MatrixXd R = engine.sensor_noise_sigma.cwiseAbs2().asDiagonal();
   const Eigen::Index n = engine.C.cols();
   // J^T = (I - A)^-T C^T, with the discrete A of the filter

@@ -63,7 +63,7 @@ estimation::ErrorModel make_error_model(const Design& design, const SubsetDesign
   error.health_scale = design.scaling.health;
   error.auxiliary_scale = design.scaling.auxiliary;
   error.sensor_scale = design.scaling.sensor;
-  error.settling_samples = static_cast<int>(std::ceil(subset.settling_s() / design.model.sample_time_s));
+  error.settling_samples = subset.settling_samples(design.model.sample_time_s);
   return error;
 }
 

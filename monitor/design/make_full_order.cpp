@@ -80,7 +80,7 @@ std::shared_ptr<const estimation::TimeVaryingModel> make_time_varying_model(cons
   auto made = std::make_shared<estimation::TimeVaryingModel>();
   made->model = std::make_shared<const estimation::FullOrderModel>(estimation::full_order_model(model));
   made->units = units_of(design);
-  made->settling_samples = static_cast<int>(std::ceil(design.full.settling_s() / model.sample_time_s));
+  made->settling_samples = design.full.settling_samples(model.sample_time_s);
   return made;
 }
 

@@ -131,7 +131,7 @@ std::shared_ptr<const FaultTables> fault_tables(const design::Design& design) {
   const int ages = static_cast<int>(std::clamp(std::round(horizon_s / T), 8.0, static_cast<double>(most_ages)));
   const auto made = [&](const design::SubsetDesign& set) {
     FaultSignatures s = signatures(set, plant, ages);
-    s.settling_samples = as_index(std::ceil(set.settling_s() / T));
+    s.settling_samples = set.settling_samples(T);
     return s;
   };
   auto tables = std::make_shared<FaultTables>();

@@ -10,9 +10,9 @@
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
+#include "monitor/design/closed_loop.h"
 #include "monitor/diagnosis/quantiles.h"
 #include "monitor/estimation/steady_gain.h"
-#include "monitor/design/closed_loop.h"
 
 namespace ehm::monitor {
 
@@ -37,7 +37,7 @@ FleetTable fleet_table(const design::Design& design, const design::SubsetDesign&
   if (factor.info() != Eigen::Success)
     throw std::invalid_argument("the covariance of the design's tuners over the fleet is not positive definite");
   const Eigen::MatrixXd HW = H * subset.W;
-  const double samples = std::max(1.0, subset.slowest_time_constant_s / model.sample_time_s);
+  const double samples = subset.averaged_samples(model.sample_time_s);
   const Eigen::MatrixXd of_sensors =
       HW * covariance * HW.transpose() + Eigen::MatrixXd(model.sensor_noise_sigma.cwiseAbs2().asDiagonal()) / samples;
   const Eigen::MatrixXd inverse = of_sensors.llt().solve(Eigen::MatrixXd::Identity(H.rows(), H.rows()));
@@ -93,8 +93,10 @@ void FleetWatch::check(const estimation::TunerVector& tuners, const estimation::
   const double distance = std::sqrt(std::max(0.0, distance2)), limit = distance_limits_[set];
   implausible_ = far_together_.check(distance, limit, persistence_samples_);
   unlikely_.set(implausible_,
-                {idl::EventKind::unlikely_engine, 0, false, distance, limit,
-                 implausible_ != unlikely_.raised() ? apart(tuners, table) : 0},
+                {.kind = idl::EventKind::unlikely_engine,
+                 .value = distance,
+                 .threshold = limit,
+                 .detail = implausible_ != unlikely_.raised() ? apart(tuners, table) : 0},
                 events);
   double farthest = distance / limit;
   for (Eigen::Index i = 0; i < health.size(); ++i) {
@@ -102,8 +104,12 @@ void FleetWatch::check(const estimation::TunerVector& tuners, const estimation::
     const auto at = as_size(i);
     const double z = std::abs(health(i) - trim_(i)) / sigma_(i);
     const bool far = far_[at].check(z, warn_sigma_, persistence_samples_);
-    implausible_health_[at].set(
-        far, {idl::EventKind::implausible, static_cast<std::uint32_t>(i), false, z, warn_sigma_, 0}, events);
+    implausible_health_[at].set(far,
+                                {.kind = idl::EventKind::implausible,
+                                 .channel = static_cast<std::uint32_t>(i),
+                                 .value = z,
+                                 .threshold = warn_sigma_},
+                                events);
     implausible_ = implausible_ || far;
     farthest = std::max(farthest, z / warn_sigma_);
   }

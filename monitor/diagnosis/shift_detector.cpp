@@ -8,9 +8,9 @@
 
 #include "deploy/runtime/numbers/decompositions.h"
 #include "deploy/runtime/numbers/index.h"
+#include "monitor/design/closed_loop.h"
 #include "monitor/diagnosis/quantiles.h"
 #include "monitor/estimation/steady_gain.h"
-#include "monitor/design/closed_loop.h"
 
 namespace ehm::monitor {
 
@@ -56,7 +56,7 @@ ShiftDetector::ShiftDetector(const ShiftOptions& options, const design::Design& 
         table ? chi_square_quantile(static_cast<double>(table->information.rows()),
                                     normal_quantile_above(options.false_alarm_per_hour / table->looks_per_hour))
               : 0.0);
-  window_.resize(as_size(std::max(1.0, std::round(options.window_s / design.model.sample_time_s))));
+  window_.resize(static_cast<std::size_t>(std::max(1.0, std::round(options.window_s / design.model.sample_time_s))));
   persistence_samples_ = static_cast<std::int64_t>(std::round(options.persistence_s / design.model.sample_time_s));
 }
 
@@ -77,7 +77,11 @@ Event ShiftDetector::isolate(const estimation::TunerVector& change) const noexce
   }
   const double scale = health_scales_(best);
   const double least = std::sqrt(threshold() / active().signature_information(best));
-  return {idl::EventKind::health_shift, static_cast<std::uint32_t>(best), true, scale * best_size, scale * least, 0};
+  return {.kind = idl::EventKind::health_shift,
+          .channel = static_cast<std::uint32_t>(best),
+          .raised = true,
+          .value = scale * best_size,
+          .threshold = scale * least};
 }
 
 void ShiftDetector::name(const Event& shift, EventList& events) noexcept {

@@ -30,7 +30,7 @@ std::shared_ptr<const SlowBiasTable> slow_bias_table(const design::Design& desig
                            H * design.full.health_noise_covariance * H.transpose();
   if (model.linearisation_error.rows() > 0) spread += model.linearisation_error.topLeftCorner(m, m);
   // Fewer tuners than sensors leave directions that the filter never believes in: noise keeps them finite.
-  const double samples = std::max(1.0, design.full.slowest_time_constant_s / model.sample_time_s);
+  const double samples = design.full.averaged_samples(model.sample_time_s);
   spread += Eigen::MatrixXd(model.sensor_noise_sigma.cwiseAbs2().asDiagonal()) / samples;
   const Eigen::MatrixXd inverse = spread.llt().solve(Eigen::MatrixXd::Identity(m, m));
   const Eigen::VectorXd root = inverse.diagonal().cwiseSqrt();
@@ -72,8 +72,10 @@ void SlowBias::check(const estimation::TunerVector& tuners, EventList& events) n
     const bool now =
         condition.raised() ? std::abs(z_(i)) > clear_share * threshold_ : above_[s] > table_->persistence_samples;
     condition.set(now,
-                  {idl::EventKind::slow_bias, static_cast<std::uint32_t>(i), false, table_->bias_per_z(i) * z_(i),
-                   table_->bias_per_z(i) * threshold_, 0},
+                  {.kind = idl::EventKind::slow_bias,
+                   .channel = static_cast<std::uint32_t>(i),
+                   .value = table_->bias_per_z(i) * z_(i),
+                   .threshold = table_->bias_per_z(i) * threshold_},
                   events);
   }
 }

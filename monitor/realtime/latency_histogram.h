@@ -38,7 +38,7 @@ class LatencyHistogram {
   static constexpr std::size_t per_octave = 16, octaves = 24, buckets = per_octave * octaves;  // to 16 s
   static std::size_t bucket(double latency_us) noexcept {
     if (!(latency_us > 1.0)) return 0;
-    return std::min(buckets - 1, as_size(std::log2(latency_us) * per_octave));
+    return std::min(buckets - 1, static_cast<std::size_t>(std::log2(latency_us) * per_octave));
   }
 
   std::array<std::uint64_t, buckets> counts_{};

@@ -100,9 +100,10 @@ void Recorder::give_up(const std::string& why) {
   writer_.reset();
   next_try_ = steady_clock::now() + retry_after;
   notices_.post(
-      {idl::EventKind::recording, true,
-       "recording has stopped, the monitor goes on and its samples count as records_lost; tried again every " +
-           std::to_string(retry_after.count()) + " s: " + why});
+      {.kind = idl::EventKind::recording,
+       .raised = true,
+       .text = "recording has stopped, the monitor goes on and its samples count as records_lost; tried again every " +
+               std::to_string(retry_after.count()) + " s: " + why});
 }
 
 void Recorder::resume_when_due() {
@@ -113,7 +114,7 @@ void Recorder::resume_when_due() {
   } catch (const files::FileError&) {
     return;  // the event stands
   }
-  notices_.post({idl::EventKind::recording, false, "recording goes on in " + writer_->path()});
+  notices_.post({.kind = idl::EventKind::recording, .text = "recording goes on in " + writer_->path()});
 }
 
 template <class Step>

@@ -87,8 +87,9 @@ void Reloader::reload() {
     hooks_.before(*table);
   } catch (const std::exception& e) {
     exchange_.refused.fetch_add(1, std::memory_order_relaxed);
-    notices_.post({idl::EventKind::configuration, true,
-                   std::string("reload refused, the old configuration flies on: ") + e.what()});
+    notices_.post({.kind = idl::EventKind::configuration,
+                   .raised = true,
+                   .text = std::string("reload refused, the old configuration flies on: ") + e.what()});
     return;
   }
   exchange_.next.store(table.get(), std::memory_order_release);
@@ -102,8 +103,9 @@ void Reloader::reload() {
   flying_ = std::move(wanted.values);
   spdlog::set_level(spdlog::level::from_str(wanted.config.log_level));
   exchange_.reloads.fetch_add(1, std::memory_order_relaxed);
-  notices_.post({idl::EventKind::configuration, false,
-                 "configuration and designs reloaded, filters for " + std::to_string(current_->size()) + " engines"});
+  notices_.post(
+      {.kind = idl::EventKind::configuration,
+       .text = "configuration and designs reloaded, filters for " + std::to_string(current_->size()) + " engines"});
 }
 
 }  // namespace ehm::monitor

@@ -17,7 +17,8 @@ constexpr std::int64_t last_checkpoints_ns = 300'000'000;  // of a stop that mus
 void CycleThread::leave(EngineSlot& slot, double age_s) {
   slot.cycle.retire();
   report_events(slot);
-  report_event(slot, {idl::EventKind::engine_left, 0, true, age_s, forget_engine_s_, 0});
+  report_event(slot,
+               {.kind = idl::EventKind::engine_left, .raised = true, .value = age_s, .threshold = forget_engine_s_});
   reports_.push({Report::Kind::engine_left, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
   if (records_) records_->marker(slot, recording::RowKind::left);
   release(slot);

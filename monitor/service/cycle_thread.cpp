@@ -340,7 +340,7 @@ void CycleThread::check_recording(EngineSlot& slot) {
   const std::uint64_t lost = records_->lost();
   EventList changes;
   slot.losing_records.set(lost != slot.status_records_lost,
-                          {idl::EventKind::recording, 0, false, static_cast<double>(lost), 0.0, 0}, changes);
+                          {.kind = idl::EventKind::recording, .value = static_cast<double>(lost)}, changes);
   slot.status_records_lost = lost;
   for (const Event& event : changes) report_event(slot, event);
 }

@@ -19,10 +19,11 @@ namespace ehm::monitor {
 
 struct Notice {
   idl::EventKind kind{};
-  bool raised = true;
+  bool raised = false;
   std::string text;
   std::uint32_t engine_id = 0;  ///< 0: the whole monitor
-  double value = 0.0, threshold = 0.0;
+  double value = 0.0;
+  double threshold = 0.0;
 };
 
 class NoticeBoard {

@@ -120,7 +120,7 @@ void Reporter::report_new_engine(const CycleReport& report) {
   spdlog::info("engine {}: samples arrive, design {:.12s} flies", report.engine_id, report.design->hash);
   if (left_.erase(report.engine_id) == 0) return;
   CycleReport back = report;
-  back.event = {idl::EventKind::engine_left, 0, false, 0.0, 0.0, 0};
+  back.event = {.kind = idl::EventKind::engine_left};
   report_event(back);
 }
 

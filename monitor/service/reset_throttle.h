@@ -37,7 +37,7 @@ class ResetThrottle {
 
  private:
   Event event() const noexcept {
-    return {idl::EventKind::command_flood, 0, false, static_cast<double>(refused_), period_s, 0};
+    return {.kind = idl::EventKind::command_flood, .value = static_cast<double>(refused_), .threshold = period_s};
   }
   static constexpr std::int64_t never = INT64_MIN, quiet_ns = 10'000'000'000;
   std::int64_t obeyed_ns_ = never, refused_ns_ = 0;

@@ -42,18 +42,20 @@ idl::ParticipantOptions watched_participant(const MonitorConfig& config, NoticeB
   idl::ParticipantOptions options = service_participant(config);
   options.input = input.request();
   options.on_incompatible = [&notices](const std::string& what) {
-    notices.post({idl::EventKind::incompatible_qos, true, what});
+    notices.post({.kind = idl::EventKind::incompatible_qos, .raised = true, .text = what});
   };
   options.on_namesake = [&notices, source_id = config.source_id](bool present) {
-    notices.post({idl::EventKind::second_monitor, present,
-                  present
-                      ? fmt::format("another monitor of this domain has monitor.source_id = {} too: give each its own",
-                                    source_id)
-                      : fmt::format("no other monitor has monitor.source_id = {} any more", source_id),
-                  0, static_cast<double>(source_id), 0.0});
+    notices.post(
+        {.kind = idl::EventKind::second_monitor,
+         .raised = present,
+         .text = present
+                     ? fmt::format("another monitor of this domain has monitor.source_id = {} too: give each its own",
+                                   source_id)
+                     : fmt::format("no other monitor has monitor.source_id = {} any more", source_id),
+         .value = static_cast<double>(source_id)});
   };
   options.on_unreadable = [&notices](bool present, const std::string& what) {
-    notices.post({idl::EventKind::unreadable_peer, present, what});
+    notices.post({.kind = idl::EventKind::unreadable_peer, .raised = present, .text = what});
   };
   return options;
 }
@@ -70,7 +72,11 @@ struct Checkpoints {
             },
             refused),
         keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s) {
-    for (const auto& r : refused) notices.post({idl::EventKind::checkpoint, true, "cold start: " + r.why, r.engine_id});
+    for (const auto& r : refused)
+      notices.post({.kind = idl::EventKind::checkpoint,
+                    .raised = true,
+                    .text = "cold start: " + r.why,
+                    .engine_id = r.engine_id});
   }
   std::vector<RefusedCheckpoint> refused;
   CheckpointWriter writer;
@@ -125,7 +131,8 @@ Parting take_part(const MonitorConfig& config, EngineTable*& engines, Shared& sh
     security.emplace(
         participant, std::move(incidents),
         [&](const auto& text, auto times) {
-          shared.notices.post({idl::EventKind::security, true, service::incident_text(text, times)});
+          shared.notices.post(
+              {.kind = idl::EventKind::security, .raised = true, .text = service::incident_text(text, times)});
         },
         identity.expires_s);
   CycleThread cycle(participant, config, *engines, links);
@@ -187,8 +194,10 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
   });
   while (!parting.stop()) {
     const auto say = [&](bool raised, const std::string& text) {
-      shared.notices.post({parting.new_identity ? idl::EventKind::security : idl::EventKind::held_up, raised, text, 0,
-                           parting.held_up_s, 0.0});
+      shared.notices.post({.kind = parting.new_identity ? idl::EventKind::security : idl::EventKind::held_up,
+                           .raised = raised,
+                           .text = text,
+                           .value = parting.held_up_s});
     };
     say(true, parting.new_identity
                   ? "certificates, permissions or revocations have changed: joining DDS anew with the new ones"

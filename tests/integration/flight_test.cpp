@@ -43,7 +43,7 @@ TEST_F(FlightTest, TwentySecondsAtRealTime) {
 
   // Just before the step at 10 s and at the end, all channels; HPC efficiency from 5 s after the step on.
   const auto at = [&](double time_s) -> const EngineHealth& {
-    return listener_.health[as_size(time_s / sample_time_s)];
+    return listener_.health[static_cast<std::size_t>(time_s / sample_time_s)];
   };
   const auto deviation = [&](double time_s) {
     return worst_deviation(at(time_s), listener_.truth.at(at(time_s).sequence_number()));

@@ -150,7 +150,7 @@ FalseAlarmStudy run_false_alarm_study(const design::Design& design, const FalseA
                                       const std::function<void(double share)>& progress) {
   const LinearFleet fleet(design, options.process_noise);
   FalseAlarmStudy study;
-  study.flights = as_size(std::ceil(3600.0 * options.hours / flight_s));
+  study.flights = static_cast<std::size_t>(std::ceil(3600.0 * options.hours / flight_s));
   study.flight_s = flight_s;
   study.hours = static_cast<double>(study.flights) * flight_s / 3600.0;
   study.process_noise = options.process_noise;

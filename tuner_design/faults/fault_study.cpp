@@ -94,7 +94,7 @@ FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions
   for (std::size_t c = 0; c < options.cases; ++c) study.cases.push_back(round[c % round.size()]);
   study.outcomes.resize(options.cases);
 
-  const auto flights = as_size(std::ceil(3600.0 * options.hours / healthy_flight_s));
+  const auto flights = static_cast<std::size_t>(std::ceil(3600.0 * options.hours / healthy_flight_s));
   std::vector<FaultOutcome> healthy(flights);
   const std::size_t all = options.cases + flights;
   long_work::parallel_for(

@@ -73,7 +73,7 @@ TEST(HeatSoak, AfterAPowerStepT48CreepsWithTheTimeConstantsOfTheMetal) {
     soaked.step(more, dt_s);
     plain.step(more, dt_s);
   }
-  const auto at = [&](double time_s) { return t48_k[as_size(time_s / dt_s)]; };
+  const auto at = [&](double time_s) { return t48_k[static_cast<std::size_t>(time_s / dt_s)]; };
   const double end_k = t48_k.back();
   EXPECT_NEAR(end_k, plain.output(more).s48.tt_k, 1e-2);  // in balance the metal takes nothing
   EXPECT_GT(end_k - at(20.0), 0.5);                       // long after the spools have settled
