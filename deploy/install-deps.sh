@@ -26,7 +26,7 @@ packages=(
   gnuplot-nox graphviz
 )
 # Only ./tests/run.sh --full needs these: fuzzers, and packages built and installed into a root of their own.
-full_packages=(clang libclang-rt-14-dev llvm lintian debootstrap dpkg-dev fakeroot)
+full_packages=(clang clang-tidy libclang-rt-14-dev llvm lintian debootstrap dpkg-dev fakeroot)
 
 case "${1:-}" in
   "") ;;

@@ -19,7 +19,7 @@
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/listen/listen.h"
 #include "monitor/service/config.h"
-#include "monitor/service/engine_table.h"
+#include "monitor/shared/engine_table.h"
 #include "monitor/service/offline.h"
 #include "monitor/service/service.h"
 

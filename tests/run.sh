@@ -3,9 +3,10 @@
 # Installs what is missing, builds, and runs the tests through ctest. The last two lines say which tests needed a second
 # try, and "N passed, N failed".
 # Usage: tests/run.sh           the default tier: all that guards every change
-#        tests/run.sh --full    besides: the sanitizer builds, the demo, the fuzzers, the packages in a Debian of their own,
-#                               the fleet in network namespaces, the pair under attack (hostile.sh), the control's 1000
-#                               demand sequences; one line for each of them at the end, with its time; hours on two cores
+#        tests/run.sh --full    besides: clang-tidy (tidy.sh), the sanitizer builds, the demo, the fuzzers, the packages in
+#                               a Debian of their own, the fleet in network namespaces, the pair under attack (hostile.sh),
+#                               the control's 1000 demand sequences; one line for each at the end, with its time; hours on
+#                               two cores
 # EHM_BUILD_DIR names another build folder (default build; the sanitizers' get a suffix). EHM_FUZZ_SECONDS is the time of
 # each fuzzer under --full (default 120).
 set -euo pipefail
@@ -78,6 +79,7 @@ echo "second tries: $(grep -c . <<< "$retried" || true)" $retried
 
 if [ "$full" = yes ]; then
   unset EHM_CONTROL_SEQUENCES
+  stage tidy tests/tidy.sh "$build"
   stage namespaces tests/fleet/namespaces.sh "$build" "$build/tests/integration/design.json"
   stage hostile tests/hostile.sh "$build"
   stage packages tests/packages/packages.sh "$build"

@@ -9,7 +9,7 @@
 
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/checkpoint/checkpoint_writer.h"
-#include "monitor/service/engine_slot.h"
+#include "monitor/shared/engine_slot.h"
 
 namespace ehm::monitor {
 

@@ -14,7 +14,7 @@
 
 #include "monitor/cycle/cycle_state.h"
 #include "monitor/realtime/spsc_queue.h"
-#include "monitor/service/notice_board.h"
+#include "monitor/shared/notice_board.h"
 
 namespace ehm::monitor {
 

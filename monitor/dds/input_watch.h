@@ -13,7 +13,7 @@
 #include <mutex>
 
 #include "idl/dds/participant.h"
-#include "monitor/service/notice_board.h"
+#include "monitor/shared/notice_board.h"
 
 namespace ehm::monitor {
 

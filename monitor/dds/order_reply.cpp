@@ -4,7 +4,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "idl/wire_values.h"
-#include "monitor/service/reset_throttle.h"
+#include "monitor/shared/reset_throttle.h"
 
 namespace ehm::monitor {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "monitor/service/cycle_report.h"
+#include "monitor/shared/cycle_report.h"
 
 namespace ehm::monitor {
 

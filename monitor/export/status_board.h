@@ -13,7 +13,7 @@
 
 #include "engine_health.h"
 #include "idl/wire_names.h"
-#include "monitor/service/estimate_snapshot.h"
+#include "monitor/shared/estimate_snapshot.h"
 
 namespace ehm::monitor {
 

@@ -9,8 +9,8 @@
 #include <CLI/App.hpp>
 #include <iosfwd>
 
-#include "monitor/service/engine_table.h"
-#include "monitor/service/monitor_config.h"
+#include "monitor/shared/engine_table.h"
+#include "monitor/shared/monitor_config.h"
 
 namespace ehm::monitor {
 

@@ -3,7 +3,7 @@
 // Between the cycle and the recording's rows: nothing but copying.
 
 #include "deploy/runtime/recording/layout.h"
-#include "monitor/service/engine_slot.h"
+#include "monitor/shared/engine_slot.h"
 
 namespace ehm::monitor {
 

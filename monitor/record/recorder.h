@@ -21,9 +21,9 @@
 
 #include "deploy/runtime/recording/writer.h"
 #include "monitor/record/record_feed.h"
-#include "monitor/service/engine_table.h"
-#include "monitor/service/monitor_config.h"
-#include "monitor/service/notice_board.h"
+#include "monitor/shared/engine_table.h"
+#include "monitor/shared/monitor_config.h"
+#include "monitor/shared/notice_board.h"
 
 namespace ehm::monitor {
 

@@ -13,8 +13,8 @@
 
 #include "deploy/runtime/service/reload_signal.h"
 #include "monitor/reload/table_exchange.h"
-#include "monitor/service/monitor_config.h"
-#include "monitor/service/notice_board.h"
+#include "monitor/shared/monitor_config.h"
+#include "monitor/shared/notice_board.h"
 
 namespace ehm::monitor {
 

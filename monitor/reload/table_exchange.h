@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "monitor/service/engine_table.h"
+#include "monitor/shared/engine_table.h"
 
 namespace ehm::monitor {
 

@@ -5,7 +5,7 @@
 // @throws config::ConfigError with file, line, key, value, allowed range.
 
 #include "deploy/runtime/config/schema.h"
-#include "monitor/service/monitor_config.h"
+#include "monitor/shared/monitor_config.h"
 
 namespace ehm::monitor {
 

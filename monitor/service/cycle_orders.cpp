@@ -11,7 +11,7 @@ void CycleThread::obey(const MonitorCommand& command) {
   OrderOutcome outcome{OrderOutcome::Kind::done, command.request(), command.kind()};
   outcome.kind = carry_out(command, outcome);
   if (command.request() == 0) return;
-  Report report{Report::Kind::reply, command.engine_id(), nullptr, {}, 0, 0, {}};
+  CycleReport report{.kind = CycleReport::Kind::reply, .engine_id = command.engine_id()};
   report.outcome = outcome;
   reports_.push(report);
 }

@@ -19,7 +19,7 @@ void CycleThread::leave(EngineSlot& slot, double age_s) {
   report_events(slot);
   report_event(slot,
                {.kind = idl::EventKind::engine_left, .raised = true, .value = age_s, .threshold = forget_engine_s_});
-  reports_.push({Report::Kind::engine_left, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
+  reports_.push({.kind = CycleReport::Kind::engine_left, .engine_id = slot.engine_id, .design = &slot.cycle.design()});
   if (records_) records_->marker(slot, recording::RowKind::left);
   release(slot);
   engines_->leave(slot);

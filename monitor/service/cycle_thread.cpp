@@ -155,13 +155,10 @@ EngineSlot* CycleThread::admit(const EngineSensors& sensors) {
   if (unknown_engine_samples_++ % 1000 != 0) return nullptr;
   const EngineSlot* spare = engines_->spare();
   const bool unusable = spare && sensors.engine_id() != 0;
-  Report report{unusable ? Report::Kind::malformed : Report::Kind::unknown_engine,
-                sensors.engine_id(),
-                unusable ? &spare->cycle.design() : nullptr,
-                {},
-                unknown_engine_samples_,
-                0,
-                {}};
+  CycleReport report{.kind = unusable ? CycleReport::Kind::malformed : CycleReport::Kind::unknown_engine,
+                     .engine_id = sensors.engine_id(),
+                     .design = unusable ? &spare->cycle.design() : nullptr,
+                     .sequence = unknown_engine_samples_};
   report.malformed = {stray_.source_id, stray_.schema, stray_.sensor_count, stray_.actuator_count,
                       unknown_engine_samples_};
   reports_.push(report);
@@ -200,19 +197,17 @@ void CycleThread::report_misfits(const EngineSlot& slot, DescribedSource& source
 }
 
 void CycleThread::report_channel(const EngineSlot& slot, const SourceChannel& channel) {
-  Report report{Report::Kind::source_channel,
-                slot.engine_id,
-                &slot.cycle.design(),
-                {},
-                slot.sample.sequence,
-                slot.sample.source_time_ns,
-                {}};
+  CycleReport report{.kind = CycleReport::Kind::source_channel,
+                     .engine_id = slot.engine_id,
+                     .design = &slot.cycle.design(),
+                     .sequence = slot.sample.sequence,
+                     .source_time_ns = slot.sample.source_time_ns};
   report.source_channel = channel;
   reports_.push(report);
 }
 
 void CycleThread::first_sample(EngineSlot& slot) {
-  reports_.push({Report::Kind::new_engine, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}});
+  reports_.push({.kind = CycleReport::Kind::new_engine, .engine_id = slot.engine_id, .design = &slot.cycle.design()});
   if (!checkpoints_) return;
   if (const auto event = checkpoints_->resume(slot)) {
     report_event(slot, *event);
@@ -283,13 +278,12 @@ void CycleThread::watch_input(std::int64_t now_ns) {
 }
 
 void CycleThread::report_event(const EngineSlot& slot, const Event& event) {
-  reports_.push({Report::Kind::event,
-                 slot.engine_id,
-                 &slot.cycle.design(),
-                 event,
-                 slot.sample.sequence,
-                 slot.sample.source_time_ns,
-                 {}});
+  reports_.push({.kind = CycleReport::Kind::event,
+                 .engine_id = slot.engine_id,
+                 .design = &slot.cycle.design(),
+                 .event = event,
+                 .sequence = slot.sample.sequence,
+                 .source_time_ns = slot.sample.source_time_ns});
 }
 
 void CycleThread::report_events(EngineSlot& slot) {
@@ -303,7 +297,7 @@ void CycleThread::report_malformed(EngineSlot& slot) {
   if (slot.malformed_ns != 0 && now_ns - slot.malformed_ns < malformed_period_ns) return;
   slot.malformed_ns = now_ns;
   const Sample& s = slot.sample;
-  Report report{Report::Kind::malformed, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
+  CycleReport report{.kind = CycleReport::Kind::malformed, .engine_id = slot.engine_id, .design = &slot.cycle.design()};
   report.malformed = {s.source_id, s.schema, s.sensor_count, s.actuator_count, slot.cycle.counters().malformed};
   reports_.push(report);
 }
@@ -311,7 +305,7 @@ void CycleThread::report_malformed(EngineSlot& slot) {
 void CycleThread::report_status(EngineSlot& slot, StatusLevel level, std::int64_t now_ns) {
   if (!reports_.has_room()) return;  // tried again at the next turn
   if (records_) check_recording(slot);
-  Report report{Report::Kind::status, slot.engine_id, &slot.cycle.design(), {}, 0, 0, {}};
+  CycleReport report{.kind = CycleReport::Kind::status, .engine_id = slot.engine_id, .design = &slot.cycle.design()};
   report.status = make_status(slot, level, now_ns, start_ns_);
   report.estimates = estimates_of(slot.cycle);
   report.status.source_id(source_id_);
@@ -351,7 +345,7 @@ void CycleThread::exchange_table() {
   next->take_over(*engines_, [&](EngineSlot& old, EngineSlot& now) {
     old.cycle.retire();
     report_events(old);
-    reports_.push({Report::Kind::new_engine, now.engine_id, &now.cycle.design(), {}, 0, 0, {}, {}});
+    reports_.push({.kind = CycleReport::Kind::new_engine, .engine_id = now.engine_id, .design = &now.cycle.design()});
     if (records_) records_->marker(now, recording::RowKind::resumed);
   });
   exchange_.retired.store(engines_, std::memory_order_release);

@@ -19,8 +19,8 @@
 #include "monitor/redundancy/peer_watch.h"
 #include "monitor/redundancy/ranked_writer.h"
 #include "monitor/reload/table_exchange.h"
-#include "monitor/service/cycle_report.h"
-#include "monitor/service/engine_table.h"
+#include "monitor/shared/cycle_report.h"
+#include "monitor/shared/engine_table.h"
 #include "monitor/service/shadow_writers.h"
 
 namespace ehm::monitor {

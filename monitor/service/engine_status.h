@@ -4,7 +4,7 @@
 
 #include "engine_health.h"
 #include "idl/wire_values.h"
-#include "monitor/service/engine_slot.h"
+#include "monitor/shared/engine_slot.h"
 
 namespace ehm::monitor {
 

@@ -7,8 +7,8 @@
 //
 // @throws files::FileError, config::ConfigError for what is wrong with the files or does not fit the design.
 
-#include "monitor/service/engine_table.h"
-#include "monitor/service/monitor_config.h"
+#include "monitor/shared/engine_table.h"
+#include "monitor/shared/monitor_config.h"
 
 namespace ehm::monitor {
 

@@ -11,8 +11,8 @@
 #include "idl/wire_values.h"
 #include "monitor/dds/input_watch.h"
 #include "monitor/export/status_board.h"
-#include "monitor/service/cycle_report.h"
-#include "monitor/service/notice_board.h"
+#include "monitor/shared/cycle_report.h"
+#include "monitor/shared/notice_board.h"
 
 namespace ehm::monitor {
 

@@ -14,8 +14,8 @@
 
 #include "idl/dds/participant.h"
 #include "monitor/reload/reloader.h"
-#include "monitor/service/engine_table.h"
-#include "monitor/service/monitor_config.h"
+#include "monitor/shared/engine_table.h"
+#include "monitor/shared/monitor_config.h"
 
 namespace ehm::monitor {
 

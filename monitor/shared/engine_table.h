@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "monitor/service/engine_index.h"
-#include "monitor/service/engine_slot.h"
-#include "monitor/service/monitor_config.h"
+#include "monitor/shared/engine_index.h"
+#include "monitor/shared/engine_slot.h"
+#include "monitor/shared/monitor_config.h"
 
 namespace ehm::monitor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "monitor/service/engine_index.h"
+#include "monitor/shared/engine_index.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "monitor/cycle/monitor_cycle.h"
 #include "monitor/realtime/latency_histogram.h"
-#include "monitor/service/reset_throttle.h"
+#include "monitor/shared/reset_throttle.h"
 
 namespace ehm::monitor {
 

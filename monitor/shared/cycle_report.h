@@ -9,7 +9,7 @@
 #include "monitor/data/events.h"
 #include "monitor/design/design.h"
 #include "monitor/realtime/spsc_queue.h"
-#include "monitor/service/estimate_snapshot.h"
+#include "monitor/shared/estimate_snapshot.h"
 
 namespace ehm::monitor {
 
@@ -42,10 +42,10 @@ struct CycleReport {
   Kind kind = Kind::event;
   std::uint32_t engine_id = 0;
   const design::Design* design = nullptr;  ///< lives as long as the engine table
-  Event event;                             ///< Kind::event
+  Event event = {};                        ///< Kind::event
   std::uint64_t sequence = 0;
   std::int64_t source_time_ns = 0;
-  MonitorStatus status;               ///< Kind::status
+  MonitorStatus status = {};          ///< Kind::status
   EstimateSnapshot estimates = {};    ///< Kind::status
   Malformed malformed = {};           ///< Kind::malformed
   SourceChannel source_channel = {};  ///< Kind::source_channel

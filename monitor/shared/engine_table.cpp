@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "monitor/service/engine_table.h"
+#include "monitor/shared/engine_table.h"
 
 #include <algorithm>
 #include <stdexcept>
