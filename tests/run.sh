@@ -84,7 +84,7 @@ if [ "$full" = yes ]; then
   stage hostile tests/hostile.sh "$build"
   stage packages tests/packages/packages.sh "$build"
   stage demo deploy/demo.sh --seconds 30
-  stage tsan sanitized tsan "integration_test monitor_service_test engine_sim monitor ehm_watch tuner_design" \
+  stage tsan sanitized tsan "integration_test lifecycle_test monitor_service_test engine_sim monitor ehm_watch tuner_design" \
     -R 'SpscQueue|FlightTest|BadSamplesTest|ReloadTest|CheckpointTest'
   stage asan sanitized asan all -E '^Allocation'
   stage fuzz tests/fuzz/fuzz.sh --jobs 2 --seconds "${EHM_FUZZ_SECONDS:-120}"

@@ -6,6 +6,7 @@
 
 #include "deploy/runtime/numbers/decompositions.h"
 #include "deploy/runtime/numbers/index.h"
+#include "engine_sim/linear_model/scaling.h"
 #include "engine_sim/linear_model/sensor_noise.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
 
@@ -131,7 +132,7 @@ void LinearEngine::fly(const FlightCondition& flight) {
 }
 
 HealthRange LinearEngine::health_range(std::size_t parameter) const {
-  const double unit = unit_of_health(model_.health.at(parameter));
+  const double unit = linear_model::unit_of_health(model_.health.at(parameter));
   return {health_min * unit, health_max * unit};
 }
 

@@ -29,6 +29,9 @@ struct Scaling {
 /// The size of a channel's trim in its unit; 0 where it has none. Real-time safe: yes.
 double size_of_trim(const Channel& channel) noexcept;
 
+/// One in the unit of a health parameter: 1 of a fraction, 100 of percent. @throws as scaling_of.
+double unit_of_health(const Channel& parameter);
+
 /// One percent of a channel's trim, in its unit. A channel in percent or % whose trim has no size counts as given in
 /// percent of trim already: 1. Any other one: `without_trim`. Real-time safe: yes.
 double percent_of_trim(const Channel& channel, double without_trim);

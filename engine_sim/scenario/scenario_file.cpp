@@ -7,8 +7,9 @@
 
 #include "deploy/runtime/config/table_reader.h"
 #include "deploy/runtime/numbers/index.h"
-#include "engine_sim/linear/linear_model_file.h"
-#include "engine_sim/linear/linear_scenario.h"
+#include "engine_sim/linear_model/scaling.h"
+#include "engine_sim/scenario/linear_model_file.h"
+#include "engine_sim/scenario/linear_scenario.h"
 #include "idl/fault_names.h"
 
 namespace ehm::engine_sim {
@@ -58,7 +59,7 @@ Names names_of(SimConfig& c) {
     for (const auto& parameter : c.linear->health) c.scenario.wear.push_back({.initial = parameter.trim});
   }
   Names names{list_of(c.linear->health), list_of(c.linear->sensors), list_of(c.linear->controls), {}};
-  for (const auto& parameter : c.linear->health) names.health_unit.push_back(unit_of_health(parameter));
+  for (const auto& parameter : c.linear->health) names.health_unit.push_back(linear_model::unit_of_health(parameter));
   return names;
 }
 

@@ -2,6 +2,7 @@
 #include "monitor/design/subset_json.h"
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/decompositions.h"
 #include "deploy/runtime/numbers/index.h"
 #include "monitor/design/closed_loop.h"
 #include "monitor/estimation/linear/lyapunov.h"

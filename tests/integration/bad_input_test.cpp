@@ -8,8 +8,8 @@
 #include <fstream>
 #include <limits>
 
-#include "tests/integration/engine_samples.h"
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/engine_samples.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

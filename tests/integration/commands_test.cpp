@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/integration/process.h"
+#include "tests/integration/pair/process.h"
 #include "tests/temporary_folder.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <csignal>
 
 #include "deploy/runtime/numbers/index.h"
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

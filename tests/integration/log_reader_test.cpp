@@ -7,7 +7,7 @@
 
 #include <csignal>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 #include "tests/temporary_folder.h"
 
 namespace {

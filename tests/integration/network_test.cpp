@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "tests/integration/impaired.h"
+#include "tests/integration/pair/impaired.h"
 
 namespace {
 

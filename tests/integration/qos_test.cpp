@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

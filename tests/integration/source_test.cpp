@@ -7,7 +7,7 @@
 #include <csignal>
 
 #include "tests/integration/observability/stopped_thread.h"
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "tests/integration/engine_samples.h"
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/engine_samples.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

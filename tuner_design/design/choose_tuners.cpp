@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "deploy/runtime/numbers/decompositions.h"
-#include "tuner_design/baselines/tuner_baselines.h"
+#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/search/row_space.h"
 
 namespace ehm::tuner_design {

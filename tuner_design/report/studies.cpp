@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "tuner_design/baselines/tuner_baselines.h"
+#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/design/choose_tuners.h"
 
 namespace ehm::tuner_design::report {

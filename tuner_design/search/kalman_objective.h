@@ -19,7 +19,7 @@
 
 #include <optional>
 
-#include "tuner_design/search/point_problem.h"
+#include "tuner_design/theory/point_problem.h"
 
 namespace ehm::tuner_design {
 

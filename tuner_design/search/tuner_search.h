@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "monitor/design/certificate.h"
-#include "tuner_design/search/point_problem.h"
+#include "tuner_design/theory/point_problem.h"
 
 namespace ehm::tuner_design {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "tuner_design/baselines/tuner_baselines.h"
+#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/search/tuner_search.h"
 

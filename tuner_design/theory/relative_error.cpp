@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/theory/relative_error.h"
 
-#include "tuner_design/search/point_problem.h"
+#include "tuner_design/theory/point_problem.h"
 #include "tuner_design/theory/prepared_point.h"
 
 namespace ehm::tuner_design {

@@ -2,7 +2,7 @@
 #pragma once
 // One figure of merit for an estimator, from its expected squared errors by channel:
 //   J = wh sum_i e_h,i + sum_i wz_i e_z,i
-// with the weights of the search (search/point_problem.h): over the Bayes limits of the totals, or over what the fleet
+// with the weights of the search (point_problem.h): over the Bayes limits of the totals, or over what the fleet
 // itself gives where a limit vanishes. Scaled units.
 
 #include "monitor/design/design.h"

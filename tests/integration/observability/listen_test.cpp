@@ -7,7 +7,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

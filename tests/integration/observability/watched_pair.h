@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "tests/integration/observability/exposition.h"
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace ehm::test {
 

@@ -8,8 +8,8 @@
 
 #include "deploy/runtime/files/csv_table.h"
 #include "deploy/runtime/recording/recording_rows.h"
-#include "tests/integration/engine_samples.h"
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/engine_samples.h"
+#include "tests/integration/pair/pair.h"
 #include "tests/temporary_folder.h"
 
 namespace {

@@ -11,7 +11,7 @@
 
 #include "idl/dds/endpoint.h"
 #include "idl/wire_values.h"
-#include "tests/integration/process.h"
+#include "tests/integration/pair/process.h"
 
 namespace ehm::test {
 

@@ -12,7 +12,7 @@
 
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/baselines/best_subset.h"
-#include "tuner_design/baselines/tuner_baselines.h"
+#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/print/baseline_text.h"
 

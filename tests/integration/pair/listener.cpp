@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/integration/listener.h"
+#include "tests/integration/pair/listener.h"
 
 namespace ehm::test {
 

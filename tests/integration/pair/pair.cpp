@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 #include <unistd.h>
 

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 #include "tests/temporary_folder.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/integration/impaired.h"
+#include "tests/integration/pair/impaired.h"
 
 #include <unistd.h>
 

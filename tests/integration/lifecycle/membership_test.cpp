@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "tests/integration/engine_samples.h"
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/engine_samples.h"
+#include "tests/integration/pair/pair.h"
 
 namespace {
 

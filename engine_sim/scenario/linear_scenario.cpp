@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine_sim/linear/linear_scenario.h"
+#include "engine_sim/scenario/linear_scenario.h"
 
 #include <array>
 

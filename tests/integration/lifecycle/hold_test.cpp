@@ -8,7 +8,7 @@
 
 #include <chrono>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace ehm::test {
 namespace {

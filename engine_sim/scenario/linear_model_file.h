@@ -12,7 +12,4 @@ namespace ehm::engine_sim {
 /// Discrete, as it is flown. @throws config::ConfigError naming file, key, value and what is allowed.
 std::shared_ptr<const linear_model::LinearModel> read_linear_model(const std::string& file);
 
-/// One in the unit of a health parameter: 1 of a fraction, 100 of percent.
-double unit_of_health(const linear_model::Channel& parameter);
-
 }  // namespace ehm::engine_sim

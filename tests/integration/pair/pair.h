@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/integration/listener.h"
-#include "tests/integration/process.h"
+#include "tests/integration/pair/listener.h"
+#include "tests/integration/pair/process.h"
 
 namespace ehm::test {
 

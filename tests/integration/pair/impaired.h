@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 
 namespace ehm::test {
 

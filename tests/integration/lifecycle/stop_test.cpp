@@ -5,7 +5,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 #include "tests/temporary_folder.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include "deploy/runtime/numbers/index.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/redundancy/write_fence.h"
-#include "tests/integration/pair.h"
+#include "tests/integration/pair/pair.h"
 #include "tests/temporary_folder.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/search/point_problem.h"
+#include "tuner_design/theory/point_problem.h"
 
 #include <algorithm>
 #include <cmath>

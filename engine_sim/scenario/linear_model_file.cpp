@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine_sim/linear/linear_model_file.h"
+#include "engine_sim/scenario/linear_model_file.h"
 
 #include "deploy/runtime/config/schema.h"
 #include "engine_sim/linear_model/discretise.h"
@@ -13,10 +13,6 @@ std::shared_ptr<const linear_model::LinearModel> read_linear_model(const std::st
   } catch (const std::exception& e) {
     throw config::ConfigError(std::string("'linear.model': ") + e.what());
   }
-}
-
-double unit_of_health(const linear_model::Channel& parameter) {
-  return parameter.unit == "fraction" || parameter.unit == "-" ? 1.0 : 100.0;
 }
 
 }  // namespace ehm::engine_sim

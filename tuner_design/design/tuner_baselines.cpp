@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/baselines/tuner_baselines.h"
+#include "tuner_design/design/tuner_baselines.h"
 
 #include <algorithm>
 #include <cctype>

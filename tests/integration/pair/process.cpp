@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/integration/process.h"
+#include "tests/integration/pair/process.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
