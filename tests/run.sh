@@ -3,7 +3,7 @@
 # Installs what is missing, builds, and runs the tests through ctest. The last two lines say which tests needed a second
 # try, and "N passed, N failed".
 # Usage: tests/run.sh           the default tier: all that guards every change
-#        tests/run.sh --full    besides: clang-tidy (tidy.sh), the sanitizer builds, the demo, the fuzzers, the packages in
+#        tests/run.sh --full    besides: clang-tidy (tidy.sh), the sanitizers, the demo, the fuzzers, the packages in
 #                               a Debian of their own, the fleet in network namespaces, the pair under attack (hostile.sh),
 #                               the control's 1000 demand sequences; one line for each at the end, with its time; hours on
 #                               two cores
@@ -86,6 +86,7 @@ if [ "$full" = yes ]; then
   stage demo deploy/demo.sh --seconds 30
   stage tsan sanitized tsan "integration_test lifecycle_test monitor_service_test engine_sim monitor ehm_watch tuner_design" \
     -R 'SpscQueue|FlightTest|BadSamplesTest|ReloadTest|CheckpointTest'
+  # One build with clang for the tests and the fuzzers.
   stage asan sanitized asan all -E '^Allocation'
   stage fuzz tests/fuzz/fuzz.sh --jobs 2 --seconds "${EHM_FUZZ_SECONDS:-120}"
   printf '%s\n' "${stages[@]}"

@@ -11,7 +11,7 @@ if(EHM_SANITIZE)
   add_link_options(-fsanitize=${EHM_SANITIZE})
 endif()
 
-# For tests/fuzz: clang's coverage for libFuzzer, and the sanitizers that make a broken promise visible.
+# Sanitizers that make a broken promise visible, and clang's coverage for libFuzzer: one build for tests and fuzzers.
 if(EHM_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=address,undefined)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds the fuzz targets with clang and libFuzzer and runs each for a while on its kept corpus. What breaks a promise
+# Builds the fuzz targets with clang and libFuzzer (preset asan) and runs each for a while on its kept corpus. What breaks a promise
 # is written to BUILD/findings/TARGET and fails the run; put such an input into tests/fuzz/corpus/TARGET with the fix.
 # Usage: tests/fuzz/fuzz.sh [--seconds N] [--jobs N] [--merge] [TARGET...]
 #   --seconds  of each target (600)       --jobs   targets at a time (1)
@@ -26,8 +26,8 @@ done
 [ ${#targets[@]} -gt 0 ] || targets=("${all[@]}")
 command -v clang++ > /dev/null || { echo "fuzz.sh: clang++ is missing: deploy/install-deps.sh --full" >&2; exit 2; }
 
-build=${EHM_BUILD_DIR:-build}-fuzz
-cmake --preset fuzz -S . -B "$build" > /dev/null
+build=${EHM_BUILD_DIR:-build}-asan
+cmake --preset asan -S . -B "$build" > /dev/null
 ninja -C "$build" "${targets[@]/#/fuzz_}"
 build=$(cd "$build" && pwd)
 # What grows is found in BUILD/corpus; the sources keep only what is merged.
