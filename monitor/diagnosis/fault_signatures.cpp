@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "deploy/runtime/numbers/decompositions.h"
-#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/stationary_covariance.h"
-#include "monitor/estimation/steady_gain.h"
 #include "monitor/design/closed_loop.h"
+#include "monitor/estimation/steady_gain.h"
 
 namespace ehm::monitor {
 

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::monitor {
 
 class LatencyHistogram {

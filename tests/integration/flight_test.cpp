@@ -4,7 +4,6 @@
 #include <cmath>
 #include <csignal>
 
-#include "deploy/runtime/numbers/index.h"
 #include "tests/integration/pair/pair.h"
 
 namespace {

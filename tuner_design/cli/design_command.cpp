@@ -9,7 +9,6 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
-#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/cli/import_options.h"
 #include "tuner_design/design/design_tuner.h"
@@ -62,16 +61,14 @@ void require_pairs(const Arguments& arguments) {
 
 std::vector<design::Design> designs_of(const Arguments& arguments, const std::vector<linear_model::LinearModel>& models,
                                        const Console& console) {
-  constexpr std::size_t progress_steps = 1000;
-  long_work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
+  long_work::ProgressBar bar = progress_bar(console, arguments.output, long_work::ProgressBar::shares);
   design::DesignOptions options = arguments.options;
   options.weights = weights_of(arguments.weights, models.front());
   std::vector<double> weights = arguments.point_weights;
   weights.resize(models.size(), 1.0);
   if (arguments.time_constant_s)
     options.qh_percent2 = qh_for_time_constant(models, weights, options, *arguments.time_constant_s);
-  return design_envelope(models, weights, options, arguments.threads,
-                         [&](double share) { bar.show(as_size(share * static_cast<double>(progress_steps))); });
+  return design_envelope(models, weights, options, arguments.threads, [&](double share) { bar.show_share(share); });
 }
 
 void design_to_files(const Arguments& arguments, const Console& console) {

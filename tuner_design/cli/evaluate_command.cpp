@@ -5,15 +5,12 @@
 
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
-#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/cli/engine_option.h"
 #include "tuner_design/print/evaluation_text.h"
 
 namespace ehm::tuner_design {
 namespace {
-
-constexpr std::size_t progress_steps = 1000;
 
 struct Arguments {
   std::string design, csv, truth = "linear", estimator = "both", hold = "fan-speed";
@@ -23,10 +20,9 @@ struct Arguments {
 };
 
 Evaluation evaluated(const design::Design& design, const Arguments& arguments, const Console& console) {
-  long_work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
+  long_work::ProgressBar bar = progress_bar(console, arguments.output, long_work::ProgressBar::shares);
   try {
-    return evaluate(design, arguments.options,
-                    [&](double share) { bar.show(as_size(share * static_cast<double>(progress_steps))); });
+    return evaluate(design, arguments.options, [&](double share) { bar.show_share(share); });
   } catch (const std::invalid_argument& error) {
     throw files::FileError(arguments.design + ": " + error.what());
   }

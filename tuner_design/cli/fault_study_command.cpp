@@ -3,15 +3,12 @@
 
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
-#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/print/false_alarm_text.h"
 #include "tuner_design/print/fault_study_text.h"
 
 namespace ehm::tuner_design {
 namespace {
-
-constexpr std::size_t progress_steps = 1000;
 
 /// `study` of the design, with a progress bar; a design that does not fit is a mistake in its file.
 template <class Study>
@@ -23,9 +20,9 @@ auto studied(const FaultStudyArguments& arguments, const char* name, const std::
   }
   if (!csv.empty()) require_other_file("--csv", csv, {arguments.design});
   const design::Design design = design::read_design(arguments.design);
-  long_work::ProgressBar bar = progress_bar(console, output, progress_steps);
+  long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
   try {
-    return study(design, [&](double share) { bar.show(as_size(share * static_cast<double>(progress_steps))); });
+    return study(design, [&](double share) { bar.show_share(share); });
   } catch (const std::invalid_argument& error) {
     throw files::FileError(arguments.design + ": " + error.what());
   }

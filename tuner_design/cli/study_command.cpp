@@ -7,7 +7,6 @@
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
-#include "deploy/runtime/numbers/index.h"
 #include "tuner_design/cli/design_command.h"
 #include "tuner_design/cli/engine_option.h"
 #include "tuner_design/cli/fault_study_command.h"
@@ -19,8 +18,6 @@
 
 namespace ehm::tuner_design {
 namespace {
-
-constexpr std::size_t progress_steps = 1000;
 
 struct Arguments {
   std::string study, model, csv, trim = "new";
@@ -63,9 +60,8 @@ void run_study(Arguments arguments, const Console& console) {
                                      : import_model(arguments.model, arguments.import);
   SimonGargStudy study;
   try {
-    long_work::ProgressBar bar = progress_bar(console, arguments.output, progress_steps);
-    study = run_simon_garg(imported.model, arguments.options,
-                           [&](double share) { bar.show(as_size(share * static_cast<double>(progress_steps))); });
+    long_work::ProgressBar bar = progress_bar(console, arguments.output, long_work::ProgressBar::shares);
+    study = run_simon_garg(imported.model, arguments.options, [&](double share) { bar.show_share(share); });
   } catch (const std::invalid_argument& error) {
     throw files::FileError((arguments.model.empty() ? "" : arguments.model + ": ") + error.what());
   }

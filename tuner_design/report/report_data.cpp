@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/report/report_data.h"
 
-#include "deploy/runtime/numbers/decompositions.h"
 #include "monitor/design/closed_loop.h"
 #include "monitor/design/make_error_model.h"
 #include "tuner_design/theory/prepared_point.h"

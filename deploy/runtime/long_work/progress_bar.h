@@ -12,6 +12,9 @@ namespace ehm::long_work {
 
 class ProgressBar {
  public:
+  /// `total` for work that counts nothing, and tells its share by show_share.
+  static constexpr std::size_t shares = 1000;
+
   ProgressBar(std::ostream& out, bool terminal, std::size_t total);
   /// Takes the bar away.
   ~ProgressBar();
@@ -20,6 +23,8 @@ class ProgressBar {
 
   /// Cheap: it draws ten times a second at most.
   void show(std::size_t done);
+  /// `share` of the total, 0 to 1.
+  void show_share(double share) { show(static_cast<std::size_t>(share * static_cast<double>(total_))); }
   /// The same for any time since the start.
   void draw(std::size_t done, double elapsed_s);
   void clear();

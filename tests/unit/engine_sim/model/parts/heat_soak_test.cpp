@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/model/parts/shaft.h"
 #include "engine_sim/model/solve/transient.h"
