@@ -15,7 +15,6 @@
 #include <optional>
 #include <vector>
 
-#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/model/onboard/on_board_engine.h"
 #include "tests/bench/slam_flight.h"
@@ -75,7 +74,7 @@ class Times {
   double quantile(double share) const {
     std::vector<double> sorted = us_;
     std::sort(sorted.begin(), sorted.end());
-    return sorted[as_size(share * static_cast<double>(sorted.size() - 1))];
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
   }
 
  private:

@@ -6,14 +6,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::tuner_design {
 
 /// The smallest value that at least `share` of all values do not exceed; 0 of none. `values` is reordered.
 inline double percentile(std::vector<double>& values, double share) {
   if (values.empty()) return 0.0;
-  const auto wanted = as_size(share * static_cast<double>(values.size()));
+  const auto wanted = static_cast<std::size_t>(share * static_cast<double>(values.size()));
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::min(wanted, values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Dependencies point one way: compares the includes of every folder with the table in edges.txt."""
+"""Dependencies point one way: compares the includes of every folder with the table in edges.txt. Two folders do not include
+each other, unless one holds the other. Every source opens with its licence."""
 
 import pathlib
 import re
+import subprocess
 import sys
 
 root = pathlib.Path(__file__).resolve().parents[2]
 tops = ("idl", "engine_sim", "monitor", "tuner_design", "deploy")
 wire = {"idl/wire_values.h", "idl/wire_names.h", "idl/fault_names.h"}
+tag = "SPDX-License-Identifier: Apache-2.0"
 # What every folder may include, as it may the standard library.
 everywhere = "deploy/runtime/numbers"
 # What a folder marked PURE must not see, besides DDS.
@@ -43,6 +46,13 @@ def target_of(path, bracket, name):
     return str(path.parent.relative_to(root)) if bracket == '"' else None
 
 
+def sources_and_scripts():
+    kinds = {".h", ".cpp", ".c", ".idl", ".py", ".sh", ".cmake"}
+    tracked = subprocess.run(["git", "ls-files"], cwd=root, capture_output=True, text=True).stdout.split("\n")
+    return [root / name for name in tracked
+            if pathlib.PurePath(name).suffix in kinds or name.endswith("CMakeLists.txt") if (root / name).exists()]
+
+
 def main():
     allowed, pure = read_table()
     defects, used, folders = [], {}, set()
@@ -65,6 +75,13 @@ def main():
             if target not in allowed[folder]:
                 defects.append(f"{folder} may not include {target}: {where}")
     defects += [f"{folder} is not in edges.txt: say what it may include" for folder in sorted(folders - set(allowed))]
+    for folder, edges in allowed.items():
+        for edge in sorted(edge for edge in edges if folder < edge and folder in allowed.get(edge, ())):
+            if not edge.startswith(folder + "/"):
+                defects.append(f"{folder} and {edge} include each other: one of them stands on the other")
+    for path in sources_and_scripts():
+        if tag not in "".join(path.open(errors="replace").readlines()[:2]):
+            defects.append(f"{path.relative_to(root)} does not open with '{tag}'")
     defects += [f"edges.txt has {folder}, which has no sources" for folder in sorted(set(allowed) - folders)]
     for folder in sorted(folders & set(allowed)):
         for edge in sorted(allowed[folder] - used.get(folder, set())):

@@ -8,7 +8,6 @@
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
-#include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/cli/engine_option.h"
 #include "tuner_design/print/design_text.h"
@@ -44,13 +43,11 @@ nlohmann::ordered_json page_as_json(const report::Page& page, const design::Desi
 }
 
 report::Studies studies_of(const design::Design& design, const ReportArguments& arguments, const Console& console) {
-  constexpr std::size_t steps = 1000;
-  long_work::ProgressBar bar = progress_bar(console, arguments.output, steps);
-  return report::run_studies(
-      design, {.quick = arguments.quick,
-               .engine = arguments.engine.engine(),
-               .threads = arguments.threads,
-               .progress = [&](double share) { bar.show(as_size(share * static_cast<double>(steps))); }});
+  long_work::ProgressBar bar = progress_bar(console, arguments.output, long_work::ProgressBar::shares);
+  return report::run_studies(design, {.quick = arguments.quick,
+                                      .engine = arguments.engine.engine(),
+                                      .threads = arguments.threads,
+                                      .progress = [&](double share) { bar.show_share(share); }});
 }
 
 void write_report(const ReportArguments& arguments, const Console& console) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /* Hardware that is not there: every channel stands at its trim, with the noise of its sensor. */
 #include "hardware.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /* What stands between this example and your hardware: replace hardware.c, keep this header. */
 #ifndef HARDWARE_H
 #define HARDWARE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /* Takes the place of engine_sim: publishes EngineSensors every 15 ms with Cyclone DDS, from read_hardware().
  *
  *   sensor_source_c [-d DOMAIN] [-p PARTITION] [-e ENGINE_ID] [-i SOURCE_ID] [-s SECONDS] CHANNELS.csv

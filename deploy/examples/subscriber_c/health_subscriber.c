@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /* Prints every health estimate of a domain with Cyclone DDS: the same IDL, another vendor. */
 #include <dds/dds.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints every health estimate of the default domain, or of the domain given: a subscriber of your own in 40 lines.
 #include <idl/dds/endpoint.h>
 #include <idl/wire_values.h>

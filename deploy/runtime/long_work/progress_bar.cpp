@@ -5,8 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::long_work {
 
 ProgressBar::ProgressBar(std::ostream& out, bool terminal, std::size_t total)
@@ -28,7 +26,7 @@ void ProgressBar::draw(std::size_t done, double elapsed_s) {
   if (!terminal_ || done == 0) return;
   constexpr std::size_t width = 40;
   const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
-  const auto filled = as_size(share * width);
+  const auto filled = static_cast<std::size_t>(share * width);
   const double left_s = elapsed_s * (1.0 - share) / share;
   out_ << "\r[" << std::string(filled, '#') << std::string(width - filled, '.') << "] "
        << static_cast<int>(100.0 * share) << " %, " << static_cast<long>(std::ceil(left_s)) << " s left \x1b[K"

@@ -160,7 +160,7 @@ Kill StandbyTest::kill_and_return() {
 
 double percentile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values[as_size(share * static_cast<double>(values.size() - 1))];
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 TEST_F(StandbyTest, FiftyKills) {

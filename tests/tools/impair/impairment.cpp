@@ -5,8 +5,6 @@
 #include <bit>
 #include <limits>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::test {
 
 void Impairment::receive(const EngineSensors& arrived, double now_s) {
@@ -34,7 +32,7 @@ void Impairment::damage(EngineSensors& sample) {
   const double not_a_number = uniform(), flip = uniform(), which_sensor = uniform(), which_bit = uniform();
   const std::size_t sensors = std::min<std::size_t>(sample.sensor_count(), sample.sensor().size());
   if (sensors > 0) {
-    double& value = sample.sensor()[as_size(which_sensor * static_cast<double>(sensors))];
+    double& value = sample.sensor()[static_cast<std::size_t>(which_sensor * static_cast<double>(sensors))];
     if (not_a_number < settings.nan) {
       value = std::numeric_limits<double>::quiet_NaN();
       ++counters_.set_nan;
