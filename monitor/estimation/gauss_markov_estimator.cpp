@@ -14,8 +14,6 @@ GaussMarkovEstimator::GaussMarkovEstimator(std::shared_ptr<const GaussMarkovMode
       error_(set().error),
       distance_(distance),
       du_(model_->units.actuator_trim.size()) {
-  const Eigen::Index size = model_->model->prior.rows();
-  same_.setIdentity(size, size);
   reset();
 }
 
@@ -42,7 +40,7 @@ bool GaussMarkovEstimator::use(SensorMask available) noexcept {
   if (!model_->sets[wanted]) return false;
   set_ = wanted;
   filter_.use(set().gain);
-  error_.switch_to(set().error, same_);
+  error_.switch_to(set().error);
   return true;
 }
 

@@ -59,7 +59,6 @@ class GaussMarkovEstimator final : public Estimator {
   GaussMarkovFilter filter_;
   ErrorPropagation error_;
   PointDistance distance_;
-  BoundedMatrix<max_augmented, max_augmented> same_;  ///< the identity
   ActuatorVector du_;
   std::int64_t held_samples_ = 0;  ///< since the error's theory went on
   Innovation innovation_;

@@ -64,15 +64,11 @@ class TimeVaryingFilter {
   void read_out() noexcept;
 
   std::shared_ptr<const FullOrderModel> model_;
-  BoundedMatrix<max_augmented, max_sensors> outputs_;          ///< [C M]^T: a column for each sensor
-  AugmentedVector estimate_, gain_;                            ///< [x; h], b
-  StateVector state_;                                          ///< the next x, before it replaces the present one
-  FullOrderCovariance covariance_;                             ///< P
-  BoundedMatrix<max_states, max_states> state_block_;          ///< the next Pxx
-  BoundedMatrix<max_states, max_health> cross_, moved_cross_;  ///< T and A Pxh
-  BoundedMatrix<max_augmented, max_offsets> offset_;           ///< D
-  BoundedMatrix<max_states, max_offsets> moved_offset_;        ///< the next Dx
-  SensorVector measured_;                                      ///< y - D u
+  BoundedMatrix<max_augmented, max_sensors> outputs_;  ///< [C M]^T: a column for each sensor
+  AugmentedVector estimate_, gain_;                    ///< [x; h], b
+  FullOrderCovariance covariance_;                     ///< P
+  BoundedMatrix<max_augmented, max_offsets> offset_;   ///< D
+  SensorVector measured_;                              ///< y - D u
   SensorVector innovation_, innovation_variance_;
   ActuatorVector actuators_;
   HealthVector health_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/tuner_estimator.h"
 
+#include <algorithm>
+
 #include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/sensor_choice.h"
 
@@ -14,12 +16,19 @@ bool same_shape(const ErrorState& state, const ErrorModel& model) noexcept {
          state.remaining <= model.settling_samples;
 }
 
+/// n + t of the largest set.
+Eigen::Index most_states(const std::vector<ErrorModel>& sets) {
+  Eigen::Index most = 0;
+  for (const ErrorModel& set : sets) most = std::max(most, set.closed_loop.rows());
+  return most;
+}
+
 }  // namespace
 
 TunerEstimator::TunerEstimator(const TunerEstimatorModel& model, const PointDistance& distance)
     : filter_(model.filter),
       errors_(model.errors),
-      error_(errors_->front()),
+      error_(errors_->front(), most_states(*errors_)),
       distance_(distance),
       sensor_trim_(model.sensor_trim),
       dy_(model.sensor_trim.size()),
