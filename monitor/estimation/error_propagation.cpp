@@ -17,6 +17,12 @@ void split(const Bias& bias, const Spread& spread, const Output& output, Eigen::
 
 }  // namespace
 
+bool fits(const ErrorState& state, const ErrorModel& model) noexcept {
+  return state.mean.rows() == model.drive.rows() && state.mean.cols() == model.drive.cols() &&
+         state.covariance.rows() == model.noise.rows() && state.covariance.cols() == model.noise.cols() &&
+         state.remaining >= 0 && state.remaining <= model.settling_samples;
+}
+
 ErrorPropagation::ErrorPropagation(const ErrorModel& model, Eigen::Index most_states)
     : model_(&model), mean_(most_states * model.drive.cols()), covariance_(most_states * most_states) {
   reset(model);
@@ -41,6 +47,12 @@ void ErrorPropagation::switch_to(const ErrorModel& model) noexcept {
   model_ = &model;
   remaining_ = model.settling_samples;
   read_out(mean_.load(), covariance_.load());
+}
+
+void ErrorPropagation::save(ErrorState& state) const noexcept {
+  state.mean = mean_.load();
+  state.covariance = covariance_.load();
+  state.remaining = remaining_;
 }
 
 void ErrorPropagation::restore(const ErrorModel& model, const ErrorState& state) noexcept {

@@ -29,9 +29,6 @@
 
 namespace ehm::estimation {
 
-/// Health, sensors and auxiliary outputs each bring unknowns at most.
-inline constexpr int max_unknowns = max_health + max_sensors + max_auxiliary;
-
 /// Constants of one sensor set; scaled units except for the two scales.
 struct ErrorModel {
   BoundedMatrix<max_augmented, max_augmented> closed_loop;       ///< Acl
@@ -57,6 +54,9 @@ struct ErrorState {
   BoundedMatrix<max_augmented, max_augmented> covariance;  ///< S
   int remaining = 0;                                       ///< samples until it counts as settled
 };
+
+/// It has the shapes of that sensor set, and is not longer from settled than a cold start. Real-time safe: yes.
+bool fits(const ErrorState& state, const ErrorModel& model) noexcept;
 
 /// What makes up the variance of each output of one kind, scaled units: of the fleet's health, of its nonlinearity, and
 /// of the noise.
@@ -85,7 +85,7 @@ class ErrorPropagation {
   void switch_to(const ErrorModel& model, const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept;
   void switch_to(const ErrorModel& model) noexcept;
   /// Real-time safe: yes, both. `state` must have the shapes of `model`.
-  ErrorState state() const noexcept { return {mean_.load(), covariance_.load(), remaining_}; }
+  void save(ErrorState& state) const noexcept;
   void restore(const ErrorModel& model, const ErrorState& state) noexcept;
   /// One sample further; costs nothing once settled. Real-time safe: yes.
   void step() noexcept;

@@ -25,6 +25,18 @@ void TimeVaryingFilter::reset() noexcept {
   read_out();
 }
 
+bool TimeVaryingFilter::restore(const AugmentedVector& estimate, const FullOrderCovariance& covariance,
+                                const BoundedMatrix<max_augmented, max_unknowns>& offset) noexcept {
+  if (estimate.size() != estimate_.size() || covariance.rows() != covariance_.rows() ||
+      covariance.cols() != covariance_.cols() || offset.rows() != offset_.rows() || offset.cols() != offset_.cols())
+    return false;
+  estimate_ = estimate;
+  covariance_ = covariance;
+  offset_ = offset;
+  read_out();
+  return true;
+}
+
 void TimeVaryingFilter::predict(const ActuatorVector& du_previous) noexcept {
   const Eigen::Index n = model_->A.rows(), p = model_->L.cols();
   // x <- A x + B u + L h
