@@ -3,6 +3,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "deploy/runtime/config/command_line.h"
@@ -19,9 +20,9 @@
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/listen/listen.h"
 #include "monitor/service/config.h"
-#include "monitor/shared/engine_table.h"
 #include "monitor/service/offline.h"
 #include "monitor/service/service.h"
+#include "monitor/shared/engine_table.h"
 
 namespace {
 
@@ -70,6 +71,10 @@ int run(int argc, char** argv) {
     if (line.check_config && !config.checkpoint_directory.empty())
       monitor::require_writable_folder(config.checkpoint_directory);
     if (line.check_config && !config.record.file.empty()) const files::AtomicFile probe(config.record.file);
+    if (!config.offline.file.empty()) {
+      const std::vector<std::string> given = schema.given();
+      monitor::choose_offline_estimator(config, std::ranges::count(given, "estimator.published") > 0);
+    }
     engines = std::make_unique<monitor::EngineTable>(config);
   } catch (const std::exception& e) {
     std::cerr << "monitor: " << e.what() << '\n';

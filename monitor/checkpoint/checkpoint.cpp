@@ -6,7 +6,9 @@
 #include "deploy/runtime/files/content_hash.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/json_object.h"
+#include "deploy/runtime/numbers/decompositions.h"
 #include "deploy/runtime/numbers/index.h"
+#include "monitor/design/make_estimator.h"
 
 namespace ehm::monitor {
 
@@ -70,6 +72,21 @@ Json error_to_json(const estimation::ErrorState& error) {
           {"covariance", files::to_json(error.covariance, "checkpoint", "error.covariance")}};
 }
 
+/// Symmetric, and no direction has a negative variance, but for rounding: else the filter's gains would mean nothing.
+void require_covariance(const JsonObject& object, const Eigen::MatrixXd& covariance) {
+  constexpr double rounding = 1e-9;
+  const double size = covariance.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i)
+    if (covariance(i, i) < 0.0)
+      defect(object, "covariance[" + std::to_string(i) + "][" + std::to_string(i) + "]", covariance(i, i),
+             "a variance, 0 or more");
+  const double skew = (covariance - covariance.transpose()).cwiseAbs().maxCoeff();
+  if (skew > rounding * size) defect(object, "covariance", skew, "symmetric: its two halves differ by as much");
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance, Eigen::EigenvaluesOnly);
+  if (const double least = solver.eigenvalues().minCoeff(); least < -rounding * size)
+    defect(object, "covariance", least, "a least eigenvalue of 0 or more");
+}
+
 estimation::ErrorState error_from_json(JsonObject& root, Eigen::Index augmented) {
   JsonObject object(root.at("error"), root.file(), root.key("error"));
   estimation::ErrorState error;
@@ -79,11 +96,47 @@ estimation::ErrorState error_from_json(JsonObject& root, Eigen::Index augmented)
   object.refuse_unknown();
   require_moderate(object, "mean", error.mean);
   require_moderate(object, "covariance", error.covariance);
-  for (Eigen::Index i = 0; i < augmented; ++i)
-    if (error.covariance(i, i) < 0.0)
-      defect(object, "covariance[" + std::to_string(i) + "][" + std::to_string(i) + "]", error.covariance(i, i),
-             "a variance, 0 or more");
+  require_covariance(object, error.covariance);
   return error;
+}
+
+/// Adds it to the keys of `json`.
+void state_to_json(const estimation::EstimatorState& state, Json& json) {
+  json["missing_sensor"] = state.missing_sensor;
+  json["held_samples"] = state.held_samples;
+  json["estimate"] = files::vector_to_json(state.estimate, "checkpoint", "estimate");
+  json["error"] = error_to_json(state.error);
+}
+
+estimation::EstimatorState state_from_json(JsonObject& object, bool has_hold) {
+  estimation::EstimatorState state;
+  state.missing_sensor = integer(object, "missing_sensor", -1, estimation::max_sensors - 1);
+  if (has_hold)
+    state.held_samples = integer<std::int64_t>(object, "held_samples", 0, std::numeric_limits<std::int32_t>::max());
+  state.estimate = object.vector("estimate", length(object, "estimate", estimation::max_augmented));
+  require_moderate(object, "estimate", state.estimate);
+  state.error = error_from_json(object, state.estimate.size());
+  return state;
+}
+
+Json companions_to_json(const std::vector<CompanionState>& companions) {
+  Json json = Json::object();
+  for (const CompanionState& companion : companions) state_to_json(companion.state, json[std::string(companion.name)]);
+  return json;
+}
+
+std::vector<CompanionState> companions_from_json(JsonObject& root) {
+  JsonObject object(root.at("companions"), root.file(), root.key("companions"));
+  std::vector<CompanionState> companions;
+  for (const auto& [name, value] : root.at("companions").items()) {
+    const std::string_view known = design::known_name(name);
+    if (known.empty() || known == design::tuner_name)
+      defect(root, "companions", name, "estimators beside the tuner filter, of " + design::known_names());
+    JsonObject companion(object.at(name), root.file(), object.key(name));
+    companions.push_back({known, state_from_json(companion, true)});
+    companion.refuse_unknown();
+  }
+  return companions;
 }
 
 Json return_gate_to_json(const ReturnGate::Memory& memory) {
@@ -121,13 +174,17 @@ void read_source(JsonObject& root, CycleState& state) {
   object.refuse_unknown();
 }
 
-void verify(JsonObject& root, Json content) {
-  if (const std::string schema = root.text("schema"); schema != checkpoint_schema)
-    defect(root, "schema", schema, std::string("\"") + checkpoint_schema + "\"");
+/// Schema and hash. @returns whether it is of the present schema.
+bool verify(JsonObject& root, Json content) {
+  const std::string schema = root.text("schema");
+  if (schema != checkpoint_schema && schema != checkpoint_schema_before)
+    defect(root, "schema", schema,
+           std::string("\"") + checkpoint_schema + "\" or \"" + checkpoint_schema_before + "\"");
   const std::string stated = root.text("hash");
   content.erase("hash");
   const std::string actual = files::sha256_hex(content.dump());
   if (stated != actual) defect(root, "hash", stated, "\"" + actual + "\", the SHA-256 of the content");
+  return schema == checkpoint_schema;
 }
 
 }  // namespace
@@ -139,11 +196,10 @@ std::string to_text(const Checkpoint& c) {
                {"design", c.design_hash},
                {"wall_time_ns", c.wall_time_ns},
                {"source", {{"id", s.source_id}, {"sequence", s.sequence}, {"time_ns", s.source_time_ns}}},
-               {"missing_sensor", s.missing_sensor},
                {"excluded_sensors", s.excluded.to_ulong()},
-               {"estimate", files::vector_to_json(s.estimate, "checkpoint", "estimate")},
-               {"error", error_to_json(s.error)},
-               {"return_gate", return_gate_to_json(s.return_gate)}};
+               {"return_gate", return_gate_to_json(s.return_gate)},
+               {"companions", companions_to_json(s.companions)}};
+  state_to_json(s.watch, json);
   json["hash"] = files::sha256_hex(json.dump());
   return json.dump() + "\n";
 }
@@ -151,18 +207,16 @@ std::string to_text(const Checkpoint& c) {
 Checkpoint parse_checkpoint(std::string_view text, const std::string& file) {
   const Json json = files::parse_json_text(std::string(text), file);
   JsonObject root(json, file, "");
-  verify(root, json);
+  const bool present_schema = verify(root, json);
   Checkpoint c;
   c.engine_id = integer<std::uint32_t>(root, "engine_id", 1, std::numeric_limits<std::uint32_t>::max());
   c.design_hash = root.text("design");
   c.wall_time_ns = integer<std::int64_t>(root, "wall_time_ns", 0, std::numeric_limits<std::int64_t>::max());
   read_source(root, c.state);
-  c.state.missing_sensor = integer(root, "missing_sensor", -1, estimation::max_sensors - 1);
   c.state.excluded = excluded_from_json(root);
-  c.state.estimate = root.vector("estimate", length(root, "estimate", estimation::max_augmented));
-  require_moderate(root, "estimate", c.state.estimate);
-  c.state.error = error_from_json(root, c.state.estimate.size());
+  c.state.watch = state_from_json(root, present_schema);
   c.state.return_gate = return_gate_from_json(root);
+  if (present_schema) c.state.companions = companions_from_json(root);
   root.refuse_unknown();
   return c;
 }

@@ -2,8 +2,9 @@
 #pragma once
 // One engine's checkpoint: the state of its cycle, and to which engine, design and moment it belongs.
 //
-// As a file: JSON, schema "ehm-checkpoint/1", numbers in shortest exact form, and the SHA-256 of the content without
-// the hash itself, as in a design file. Anyone may read it; nobody should edit it.
+// As a file: JSON, schema "ehm-checkpoint/2", numbers in shortest exact form, and the SHA-256 of the content without
+// the hash itself, as in a design file. Anyone may read it; nobody should edit it. "ehm-checkpoint/1" of earlier versions
+// is read too: it is the same without companions and held_samples.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +14,8 @@
 
 namespace ehm::monitor {
 
-inline constexpr const char* checkpoint_schema = "ehm-checkpoint/1";
+inline constexpr const char* checkpoint_schema = "ehm-checkpoint/2";
+inline constexpr const char* checkpoint_schema_before = "ehm-checkpoint/1";
 
 struct Checkpoint {
   std::uint32_t engine_id = 0;

@@ -9,11 +9,13 @@
 namespace ehm::monitor {
 
 CheckpointKeeper::CheckpointKeeper(CheckpointWriter& writer, const ResumeTable& resumable, double period_s,
-                                   double max_age_s)
+                                   double max_age_s, std::size_t companions)
     : writer_(writer),
       resumable_(resumable),
       period_ns_(static_cast<std::int64_t>(1e9 * period_s)),
-      max_age_s_(max_age_s) {}
+      max_age_s_(max_age_s) {
+  request_.state.companions.resize(companions);
+}
 
 std::optional<Event> CheckpointKeeper::resume(EngineSlot& slot) const noexcept {
   const Checkpoint* checkpoint = resumable_.find(slot.engine_id);
@@ -22,7 +24,7 @@ std::optional<Event> CheckpointKeeper::resume(EngineSlot& slot) const noexcept {
   const double gap_s =
       continuation(checkpoint->state, slot.sample, slot.cycle.design().model.sample_time_s, max_age_s_).gap_s;
   return Event{.kind = idl::EventKind::checkpoint,
-               .raised = verdict != Resumption::taken,
+               .raised = !went_on(verdict),
                .value = gap_s,
                .threshold = max_age_s_,
                .detail = static_cast<std::uint32_t>(verdict)};

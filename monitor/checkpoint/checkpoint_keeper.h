@@ -15,8 +15,9 @@ namespace ehm::monitor {
 
 class CheckpointKeeper {
  public:
-  /// Both must outlive this.
-  CheckpointKeeper(CheckpointWriter& writer, const ResumeTable& resumable, double period_s, double max_age_s);
+  /// Both must outlive this. `companions`: of each engine, as `writer` has been told.
+  CheckpointKeeper(CheckpointWriter& writer, const ResumeTable& resumable, double period_s, double max_age_s,
+                   std::size_t companions);
 
   /// Before an engine's first sample, which waits in `slot.sample`, is processed. What is to be reported, if there was
   /// a checkpoint. Real-time safe: yes.

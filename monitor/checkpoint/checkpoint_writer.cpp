@@ -17,12 +17,18 @@ namespace {
 
 constexpr std::chrono::milliseconds poll{20}, stop_limit{400};
 
+CheckpointRequest room_for(std::size_t companions) {
+  CheckpointRequest request;
+  request.state.companions.resize(companions);
+  return request;
+}
+
 }  // namespace
 
-CheckpointWriter::CheckpointWriter(std::string folder, NoticeBoard& notices)
+CheckpointWriter::CheckpointWriter(std::string folder, NoticeBoard& notices, std::size_t companions)
     : folder_(std::move(folder)),
       notices_(notices),
-      queue_(std::make_unique<SpscQueue<CheckpointRequest, queue_length>>()) {
+      queue_(std::make_unique<SpscQueue<CheckpointRequest, queue_length>>(room_for(companions))) {
   try {
     require_writable_folder(folder_);
   } catch (const files::FileError& e) {

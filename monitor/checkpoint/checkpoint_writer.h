@@ -28,8 +28,9 @@ struct CheckpointRequest {
 
 class CheckpointWriter {
  public:
-  /// `notices`: hears when writing begins to fail, and when it works again.
-  CheckpointWriter(std::string folder, NoticeBoard& notices);
+  /// `notices`: hears when writing begins to fail, and when it works again. `companions`: of each engine, so that what
+  /// is queued has room for their states.
+  CheckpointWriter(std::string folder, NoticeBoard& notices, std::size_t companions);
   /// Writes what is queued for 0.4 s at most, then ends the thread; says how many were left.
   ~CheckpointWriter();
 

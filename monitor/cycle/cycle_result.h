@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
-#include "monitor/design/make_estimator.h"
 #include "monitor/estimation/estimate.h"
 
 namespace ehm::monitor {
@@ -26,7 +26,7 @@ struct CycleResult {
   bool estimates = false;   ///< estimates hold; where not, the reasons say why
   std::uint32_t flags = 0;  ///< idl::estimate_flag
   estimation::Estimate estimate;
-  std::array<estimation::Estimate, design::max_shadows> shadow;  ///< of the estimators in the order of estimator.shadow
+  std::vector<estimation::Estimate> shadow;  ///< of the estimators in the order of estimator.shadow
   estimation::SensorMask rejected, fused;
   std::array<std::uint32_t, estimation::max_sensors> reason{};  ///< idl::reject_reason bits by sensor
   /// Of the watch filter: sensor units, their squares, and the test ratio of the gate; all 0 where no filter ran.

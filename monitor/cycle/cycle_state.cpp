@@ -36,9 +36,8 @@ bool MonitorCycle::snapshot(CycleState& state) const noexcept {
   state.source_id = intake_.source_id();
   state.sequence = intake_.last_sequence();
   state.source_time_ns = intake_.last_time_ns();
-  state.missing_sensor = watch_.filter().sensor_set().missing();
-  state.estimate = watch_.filter().estimate();
-  state.error = watch_.error_state();
+  watch_.save(state.watch);
+  companions_.save(state.companions);
   state.excluded.reset();
   for (int i = 0; i < sensors_; ++i) state.excluded[as_size(i)] = supervision_.excluded(i);
   state.return_gate = accommodation_.memory();
@@ -48,10 +47,11 @@ bool MonitorCycle::snapshot(CycleState& state) const noexcept {
 Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept {
   const Continuation next_is = continuation(state, next, design_->model.sample_time_s, max_gap_s);
   if (next_is.verdict != Resumption::taken) return next_is.verdict;
-  if (!watch_.restore(state.missing_sensor, state.estimate, state.error)) return Resumption::wrong_shape;
-  accommodation_.resume(state.missing_sensor, state.return_gate);
+  if (!watch_.restore(state.watch)) return Resumption::wrong_shape;
+  const int missing = watch_.filter().sensor_set().missing();
+  accommodation_.resume(missing, state.return_gate);
   const Eigen::Index settling = detection_.detector().signatures().settling_samples;
-  detection_.resume(state.missing_sensor, std::max<Eigen::Index>(state.error.remaining, settling / 3));
+  detection_.resume(missing, std::max<Eigen::Index>(state.watch.error.remaining, settling / 3));
   for (int i = 0; i < sensors_; ++i) {
     if (!state.excluded[as_size(i)]) continue;
     supervision_.exclude(
@@ -64,8 +64,10 @@ Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, dou
   for (int i = 0; i < actuators_; ++i)
     if (!std::isfinite(now_.actuators(i))) now_.actuators(i) = design_->model.controls[as_size(i)].trim;
   before_ = now_;
-  watch_.fly_blind(now_.actuators, std::min<std::uint64_t>(next_is.ahead - 1, watch_.settling_samples()));
-  return Resumption::taken;
+  const std::uint64_t unseen = std::min<std::uint64_t>(next_is.ahead - 1, watch_.settling_samples());
+  watch_.fly_blind(now_.actuators, unseen);
+  return companions_.restore(state.companions, static_cast<int>(unseen)) ? Resumption::taken
+                                                                         : Resumption::companions_cold;
 }
 
 }  // namespace ehm::monitor

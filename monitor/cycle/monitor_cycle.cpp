@@ -26,6 +26,7 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       fleet_(options.fleet, design_->model, prepared.fleet),
       detection_(options, prepared),
       limits_(options.limits, design_->model) {
+  result_.shadow.resize(shadows_.size());
   no_residuals();
 }
 

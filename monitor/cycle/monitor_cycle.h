@@ -66,7 +66,7 @@ class MonitorCycle {
   void retire() noexcept;
 
   /// What a successor needs to go on from here. False, and nothing written, without an honest estimate. Real-time safe:
-  /// yes.
+  /// yes, into a state with as many companions.
   bool snapshot(CycleState& state) const noexcept;
   /// Goes on from `state` with the sample that is to be processed next; call on a cycle that has seen none, just before
   /// process. Refused, nothing is changed. Real-time safe: yes.

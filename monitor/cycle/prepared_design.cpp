@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/prepared_design.h"
 
+#include <algorithm>
+
 namespace ehm::monitor {
 
 PreparedDesign::PreparedDesign(std::shared_ptr<const design::Design> of, const CycleOptions& options)
@@ -12,13 +14,15 @@ PreparedDesign::PreparedDesign(std::shared_ptr<const design::Design> of, const C
       shift(shift_tables(*design)),
       slow_bias(slow_bias_table(*design)),
       fleet(fleet_tables(*design, *tuner.errors)) {
-  const auto companion = [&](const std::string& name) {
-    if (name == design::tuner_name) return watch_filter;
-    companions.push_back(design::make_estimator(name, *design, estimator, validity));
-    return static_cast<int>(companions.size()) - 1;
+  for (const std::string_view name : design::companion_names(estimator))
+    companions.push_back({name, design::make_estimator(std::string(name), *design, estimator, validity)});
+  const auto index_of = [&](const std::string& name) {
+    const auto found =
+        std::find_if(companions.begin(), companions.end(), [&](const auto& c) { return c.name == name; });
+    return found == companions.end() ? watch_filter : static_cast<int>(found - companions.begin());
   };
-  published = companion(estimator.published);
-  for (const std::string& name : design::shadow_names(estimator)) shadows.push_back(companion(name));
+  published = index_of(estimator.published);
+  for (const std::string& name : design::shadow_names(estimator)) shadows.push_back(index_of(name));
 }
 
 }  // namespace ehm::monitor

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "monitor/cycle/companion_estimators.h"
 #include "monitor/data/options.h"
 #include "monitor/design/design.h"
 #include "monitor/design/make_estimator.h"
@@ -32,10 +33,9 @@ struct PreparedDesign {
   EstimatorOptions estimator;
   ValidityOptions validity;
   estimation::TunerEstimatorModel tuner;
-  /// Those that fly beside the tuner filter; each has seen nothing yet.
-  std::vector<std::shared_ptr<const estimation::Estimator>> companions;
-  int published = watch_filter;  ///< index into companions, or watch_filter
-  std::vector<int> shadows;      ///< the same, in the order of the options
+  std::vector<Companion> companions;  ///< those that fly beside the tuner filter
+  int published = watch_filter;       ///< index into companions, or watch_filter
+  std::vector<int> shadows;           ///< the same, in the order of the options
   std::shared_ptr<const FaultTables> faults;
   std::shared_ptr<const ShiftTables> shift;
   std::shared_ptr<const SlowBiasTable> slow_bias;

@@ -35,15 +35,9 @@ constexpr std::array kinds{
                                                                               distance);
                   }}};
 
-const EstimatorKind* kind_of(const std::string& name) noexcept {
+const EstimatorKind* kind_of(std::string_view name) noexcept {
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const EstimatorKind& k) { return name == k.name; });
   return kind == kinds.end() ? nullptr : &*kind;
-}
-
-std::string known_names() {
-  std::string names;
-  for (const EstimatorKind& kind : kinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
-  return names;
 }
 
 std::vector<estimation::ErrorModel> make_error_models(const Design& design) {
@@ -57,6 +51,28 @@ std::vector<estimation::ErrorModel> make_error_models(const Design& design) {
 
 std::span<const EstimatorKind> estimator_kinds() noexcept {
   return kinds;
+}
+
+std::string_view known_name(std::string_view name) noexcept {
+  const EstimatorKind* kind = kind_of(name);
+  return kind ? kind->name : std::string_view();
+}
+
+std::string known_names() {
+  std::string names;
+  for (const EstimatorKind& kind : kinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return names;
+}
+
+std::vector<std::string_view> companion_names(const EstimatorOptions& options) {
+  std::vector<std::string> all = shadow_names(options);
+  all.insert(all.begin(), options.published);
+  std::vector<std::string_view> companions;
+  for (const std::string& name : all) {
+    if (!kind_of(name)) throw std::invalid_argument("'" + name + "' is no estimator; allowed: " + known_names());
+    if (name != tuner_name) companions.push_back(known_name(name));
+  }
+  return companions;
 }
 
 std::vector<std::string> shadow_names(const EstimatorOptions& options) {

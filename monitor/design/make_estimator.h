@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "monitor/data/options.h"
@@ -33,6 +34,15 @@ inline constexpr std::size_t max_shadows = 3;
 /// The names in estimator.shadow, in their order.
 /// @throws std::invalid_argument (value, allowed) if one is not known, stands twice, is published, or is one too many.
 std::vector<std::string> shadow_names(const monitor::EstimatorOptions& options);
+
+/// The published one and the shadows, without the tuner filter, which flies in any case; names of the table.
+/// @throws std::invalid_argument as shadow_names, or if the published one is not known.
+std::vector<std::string_view> companion_names(const monitor::EstimatorOptions& options);
+
+/// The table's own text of a name, which lives for ever; empty if it has none such.
+std::string_view known_name(std::string_view name) noexcept;
+/// All names, with commas between.
+std::string known_names();
 
 /// @throws std::invalid_argument if the name is not one of the table (names those that are), or the design has not
 /// what it needs.

@@ -34,6 +34,7 @@ FaultDetector::FaultDetector(const FaultOptions& options, std::shared_ptr<const 
     : options_(options),
       tables_(std::move(tables)),
       active_(&tables_->full),
+      onsets_(*active_),
       noise_(options.false_alarm_per_hour, active_->sensors, sample_time_s),
       threshold_(likelihood_threshold(options, *active_, sample_time_s)),
       certain_(2.0 * std::log((1.0 - options.wrong_name_probability) / options.wrong_name_probability)),

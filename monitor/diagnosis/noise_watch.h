@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "deploy/runtime/numbers/index.h"
 #include "monitor/diagnosis/quantiles.h"
@@ -21,7 +22,7 @@ namespace ehm::monitor {
 
 class NoiseWatch {
  public:
-  NoiseWatch(double false_alarm_per_hour, int sensors, double sample_time_s) {
+  NoiseWatch(double false_alarm_per_hour, int sensors, double sample_time_s) : ring_(as_size(sensors)) {
     const double looks_per_hour = 3600.0 / sample_time_s * sensors;  // neighbouring blocks are nearly one look
     threshold_ = 1.5 * chi_square_quantile(block / 1.5, normal_quantile_above(false_alarm_per_hour / looks_per_hour));
   }
@@ -45,7 +46,7 @@ class NoiseWatch {
       last_[i] = nu;
       has_last_[i] = present[i];
     }
-    next_ = (next_ + 1) % ring_.front().size();
+    next_ = (next_ + 1) % block_samples;
   }
 
   bool loud(int sensor) const noexcept { return energy_[as_size(sensor)] > threshold_; }
@@ -54,8 +55,9 @@ class NoiseWatch {
   double threshold_factor() const noexcept { return std::sqrt(threshold_ / block); }
 
  private:
-  static constexpr double block = 64.0, cap = 8.0;
-  std::array<std::array<double, 64>, estimation::max_sensors> ring_{};
+  static constexpr std::size_t block_samples = 64;
+  static constexpr double block = block_samples, cap = 8.0;
+  std::vector<std::array<double, block_samples>> ring_;  ///< by sensor
   std::array<double, estimation::max_sensors> energy_{}, last_{};
   estimation::SensorMask has_last_;
   std::size_t next_ = 0;

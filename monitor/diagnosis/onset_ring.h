@@ -13,15 +13,13 @@
 // After lost samples the ages jump: the sums lack what those samples would have said.
 // Real-time safe: yes, after construction.
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "monitor/diagnosis/fault_signatures.h"
 #include "monitor/estimation/capacity.h"
 
 namespace ehm::monitor {
-
-inline constexpr int max_hypotheses = estimation::max_sensors + estimation::max_health;
 
 class OnsetRing {
  public:
@@ -32,6 +30,8 @@ class OnsetRing {
     double energy = 0.0, degrees = 0.0;
   };
 
+  /// With room for `signatures` and all that have as many hypotheses and ages.
+  explicit OnsetRing(const FaultSignatures& signatures);
   /// Forgets everything; `signatures` must outlive the use.
   void start(const FaultSignatures& signatures) noexcept;
   /// Takes the innovations of one sample, scaled; `present` are the sensors that have one. `steps` sample times after
@@ -43,18 +43,22 @@ class OnsetRing {
   Evidence best(int hypothesis) const noexcept;
 
  private:
-  static constexpr int most_onsets = 48;
   struct Onset {
     std::uint64_t number = 0;
-    int age = 0;
     double energy = 0.0, degrees = 0.0;
-    std::array<double, max_hypotheses> sum{};  ///< d_j
+    int age = 0;
+    std::uint32_t place = 0;  ///< of its sums, for ever
   };
   bool expired(const Onset& onset) const noexcept;
+  double* sums(const Onset& onset) noexcept { return sums_.data() + onset.place * hypotheses_; }
+  const double* sums(const Onset& onset) const noexcept { return sums_.data() + onset.place * hypotheses_; }
+  void open() noexcept;
 
-  const FaultSignatures* signatures_ = nullptr;
-  std::array<Onset, most_onsets> onsets_;
-  int count_ = 0;
+  const FaultSignatures* signatures_;
+  std::size_t hypotheses_;
+  std::vector<Onset> onsets_;
+  std::vector<double> sums_;  ///< d_j of each onset
+  std::size_t count_ = 0;
   std::uint64_t next_ = 0;
   double largest_ = 0.0;
 };

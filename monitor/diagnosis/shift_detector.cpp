@@ -50,13 +50,17 @@ std::shared_ptr<const ShiftTables> shift_tables(const design::Design& design) {
 
 ShiftDetector::ShiftDetector(const ShiftOptions& options, const design::Design& design,
                              std::shared_ptr<const ShiftTables> tables)
-    : tables_(std::move(tables)), health_scales_(design.scaling.health) {
+    : tables_(std::move(tables)),
+      health_scales_(design.scaling.health),
+      length_(static_cast<std::size_t>(std::max(1.0, std::round(options.window_s / design.model.sample_time_s)))) {
   for (const auto& table : *tables_)
     thresholds_.push_back(
         table ? chi_square_quantile(static_cast<double>(table->information.rows()),
                                     normal_quantile_above(options.false_alarm_per_hour / table->looks_per_hour))
               : 0.0);
-  window_.resize(static_cast<std::size_t>(std::max(1.0, std::round(options.window_s / design.model.sample_time_s))));
+  for (const auto& table : *tables_)
+    if (table) stride_ = std::max(stride_, as_size(table->information.rows()));
+  window_.resize(length_ * stride_);
   persistence_samples_ = static_cast<std::int64_t>(std::round(options.persistence_s / design.model.sample_time_s));
 }
 
@@ -87,7 +91,7 @@ Event ShiftDetector::isolate(const estimation::TunerVector& change) const noexce
 void ShiftDetector::name(const Event& shift, EventList& events) noexcept {
   if (condition_.raised()) return;
   named_ = shift;
-  hold_ = static_cast<std::int64_t>(window_.size());
+  hold_ = static_cast<std::int64_t>(length_);
   condition_.set(true, named_, events);
 }
 
@@ -100,11 +104,12 @@ void ShiftDetector::check(const estimation::TunerVector& tuners, int missing, bo
     ++since_start_;
     return;
   }
-  const estimation::TunerVector change =
-      filled_ == window_.size() ? tuners - window_[next_] : estimation::TunerVector();
-  window_[next_] = tuners;
-  next_ = (next_ + 1) % window_.size();
-  if (filled_ < window_.size()) {
+  Eigen::Map<Eigen::VectorXd> oldest(window_.data() + next_ * stride_, tuners.size());
+  estimation::TunerVector change;
+  if (filled_ == length_) change = tuners - oldest;
+  oldest = tuners;
+  next_ = (next_ + 1) % length_;
+  if (filled_ < length_) {
     ++filled_;
     return;
   }

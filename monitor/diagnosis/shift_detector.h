@@ -69,7 +69,8 @@ class ShiftDetector {
   std::size_t active_ = 0;
   estimation::HealthVector health_scales_;
 
-  std::vector<estimation::TunerVector> window_;  ///< ring of the last w estimates
+  std::size_t length_, stride_ = 0;  ///< w, and the most tuners of a set
+  std::vector<double> window_;       ///< ring of the last w estimates, a stride each
   std::size_t next_ = 0, filled_ = 0;
   std::int64_t persistence_samples_, above_ = 0, since_start_ = 0;
   std::int64_t hold_ = 0;  ///< samples until the window has seen the whole of a change that was named early

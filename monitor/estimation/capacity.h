@@ -22,6 +22,8 @@ using linear_model::max_unit_length;
 inline constexpr int max_tuners = 16;
 inline constexpr int max_augmented = max_states + max_tuners;
 static_assert(max_augmented == 32);
+/// What is unknown of an engine but constant: health, sensors and auxiliary outputs each bring as many at most.
+inline constexpr int max_unknowns = max_health + max_sensors + max_auxiliary;
 
 template <int MaxRows>
 using BoundedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, MaxRows, 1>;

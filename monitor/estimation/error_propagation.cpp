@@ -17,70 +17,91 @@ void split(const Bias& bias, const Spread& spread, const Output& output, Eigen::
 
 }  // namespace
 
-ErrorPropagation::ErrorPropagation(const ErrorModel& model) : model_(&model) {
+bool fits(const ErrorState& state, const ErrorModel& model) noexcept {
+  return state.mean.rows() == model.drive.rows() && state.mean.cols() == model.drive.cols() &&
+         state.covariance.rows() == model.noise.rows() && state.covariance.cols() == model.noise.cols() &&
+         state.remaining >= 0 && state.remaining <= model.settling_samples;
+}
+
+ErrorPropagation::ErrorPropagation(const ErrorModel& model, Eigen::Index most_states)
+    : model_(&model), mean_(most_states * model.drive.cols()), covariance_(most_states * most_states) {
   reset(model);
 }
 
 void ErrorPropagation::reset(const ErrorModel& model) noexcept {
   model_ = &model;
   excess_ = 1.0;
-  mean_.setZero(model.drive.rows(), model.drive.cols());
-  covariance_ = model.start;
   remaining_ = model.settling_samples;
-  read_out();
+  keep(Mean::Zero(model.drive.rows(), model.drive.cols()), model.start);
 }
 
-void ErrorPropagation::switch_to(const ErrorModel& model,
-                                 const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept {
+void ErrorPropagation::switch_to(const ErrorModel& model, const Covariance& transfer) noexcept {
   model_ = &model;
-  mean_next_.noalias() = transfer.lazyProduct(mean_);
-  mean_ = mean_next_;
-  product_.noalias() = transfer.lazyProduct(covariance_);
-  covariance_.noalias() = product_.lazyProduct(transfer.transpose());
   remaining_ = model.settling_samples;
-  read_out();
+  const Covariance before = covariance_.load(), product = transfer.lazyProduct(before);
+  const Mean mean = mean_.load();
+  keep(transfer.lazyProduct(mean), product.lazyProduct(transfer.transpose()));
+}
+
+void ErrorPropagation::switch_to(const ErrorModel& model) noexcept {
+  model_ = &model;
+  remaining_ = model.settling_samples;
+  read_out(mean_.load(), covariance_.load());
+}
+
+void ErrorPropagation::save(ErrorState& state) const noexcept {
+  state.mean = mean_.load();
+  state.covariance = covariance_.load();
+  state.remaining = remaining_;
 }
 
 void ErrorPropagation::restore(const ErrorModel& model, const ErrorState& state) noexcept {
   model_ = &model;
-  mean_ = state.mean;
-  covariance_ = state.covariance;
   remaining_ = state.remaining;
-  read_out();
+  keep(state.mean, state.covariance);
 }
 
 void ErrorPropagation::step() noexcept {
   if (settled()) return;
   const ErrorModel& m = *model_;
-  mean_next_.noalias() = m.closed_loop.lazyProduct(mean_);
-  mean_ = mean_next_ + m.drive;
-  product_.noalias() = m.closed_loop.lazyProduct(covariance_);
-  covariance_.noalias() = product_.lazyProduct(m.closed_loop.transpose());
-  covariance_ += m.noise;
+  const Mean before = mean_.load();
+  Mean mean = m.closed_loop.lazyProduct(before);
+  mean += m.drive;
+  Covariance covariance = covariance_.load();
+  const Covariance product = m.closed_loop.lazyProduct(covariance);
+  covariance.noalias() = product.lazyProduct(m.closed_loop.transpose());
+  covariance += m.noise;
   --remaining_;
-  read_out();
+  keep(mean, covariance);
 }
 
-void ErrorPropagation::read_out() noexcept {
+void ErrorPropagation::keep(const Mean& mean, const Covariance& covariance) noexcept {
+  mean_.keep(mean);
+  covariance_.keep(covariance);
+  read_out(mean, covariance);
+}
+
+void ErrorPropagation::read_out(const Mean& mean, const Covariance& covariance) noexcept {
   const ErrorModel& m = *model_;
-  health_bias_.noalias() = m.health_output.lazyProduct(mean_);
-  health_bias_ -= m.health_truth;
-  health_spread_.noalias() = m.health_output.lazyProduct(covariance_);
-  auxiliary_bias_.noalias() = m.auxiliary_output.lazyProduct(mean_);
-  auxiliary_bias_ -= m.auxiliary_truth;
-  auxiliary_spread_.noalias() = m.auxiliary_output.lazyProduct(covariance_);
-  sensor_bias_.noalias() = m.prediction.lazyProduct(mean_);
-  sensor_bias_ -= m.sensor_truth;
-  sensor_spread_.noalias() = m.prediction.lazyProduct(covariance_);
+  BoundedMatrix<max_health, max_unknowns> health_bias = m.health_output.lazyProduct(mean);  // Th M - Gh
+  health_bias -= m.health_truth;
+  const BoundedMatrix<max_health, max_augmented> health_spread = m.health_output.lazyProduct(covariance);  // Th S
+  BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_bias = m.auxiliary_output.lazyProduct(mean);        // Tz M - Gz
+  auxiliary_bias -= m.auxiliary_truth;
+  const BoundedMatrix<max_auxiliary, max_augmented> auxiliary_spread =
+      m.auxiliary_output.lazyProduct(covariance);                                         // Tz S
+  BoundedMatrix<max_sensors, max_unknowns> sensor_bias = m.prediction.lazyProduct(mean);  // C A M - Gy
+  sensor_bias -= m.sensor_truth;
+  const BoundedMatrix<max_sensors, max_augmented> sensor_spread = m.prediction.lazyProduct(covariance);  // C A S
 
   const Eigen::Index health = m.health_truth.rows();
-  split(health_bias_, health_spread_, m.health_output, health, health_parts_);
-  split(auxiliary_bias_, auxiliary_spread_, m.auxiliary_output, health, auxiliary_parts_);
+  split(health_bias, health_spread, m.health_output, health, health_parts_);
+  split(auxiliary_bias, auxiliary_spread, m.auxiliary_output, health, auxiliary_parts_);
   innovation_variance_.resize(m.sensor_scale.size());
   for (Eigen::Index i = 0; i < innovation_variance_.size(); ++i)
     innovation_variance_(i) =
         m.sensor_scale(i) * m.sensor_scale(i) *
-        (sensor_bias_.row(i).squaredNorm() + sensor_spread_.row(i).dot(m.prediction.row(i)) + m.innovation_noise(i));
+        (sensor_bias.row(i).squaredNorm() + sensor_spread.row(i).dot(m.prediction.row(i)) + m.innovation_noise(i));
   publish();
 }
 

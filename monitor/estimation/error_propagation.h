@@ -25,11 +25,9 @@
 #include <vector>
 
 #include "monitor/estimation/capacity.h"
+#include "monitor/estimation/kept_matrix.h"
 
 namespace ehm::estimation {
-
-/// Health, sensors and auxiliary outputs each bring unknowns at most.
-inline constexpr int max_unknowns = max_health + max_sensors + max_auxiliary;
 
 /// Constants of one sensor set; scaled units except for the two scales.
 struct ErrorModel {
@@ -57,6 +55,9 @@ struct ErrorState {
   int remaining = 0;                                       ///< samples until it counts as settled
 };
 
+/// It has the shapes of that sensor set, and is not longer from settled than a cold start. Real-time safe: yes.
+bool fits(const ErrorState& state, const ErrorModel& model) noexcept;
+
 /// What makes up the variance of each output of one kind, scaled units: of the fleet's health, of its nonlinearity, and
 /// of the noise.
 template <int Max>
@@ -73,14 +74,18 @@ struct VarianceParts {
 class ErrorPropagation {
  public:
   /// `model` must outlive this. Starts cold.
-  explicit ErrorPropagation(const ErrorModel& model);
+  explicit ErrorPropagation(const ErrorModel& model) : ErrorPropagation(model, model.closed_loop.rows()) {}
+  /// With room for sensor sets of up to `most_states` n + t. Another number of unknowns than the model's is not possible.
+  ErrorPropagation(const ErrorModel& model, Eigen::Index most_states);
 
   /// Cold start. Real-time safe: yes.
   void reset(const ErrorModel& model) noexcept;
-  /// Goes on with another sensor set; `transfer` is what the filter's state was multiplied with. Real-time safe: yes.
+  /// Goes on with another sensor set; `transfer` is what the filter's state was multiplied with, nothing if that means
+  /// the same for both. Real-time safe: yes, both.
   void switch_to(const ErrorModel& model, const BoundedMatrix<max_augmented, max_augmented>& transfer) noexcept;
+  void switch_to(const ErrorModel& model) noexcept;
   /// Real-time safe: yes, both. `state` must have the shapes of `model`.
-  ErrorState state() const noexcept { return {mean_, covariance_, remaining_}; }
+  void save(ErrorState& state) const noexcept;
   void restore(const ErrorModel& model, const ErrorState& state) noexcept;
   /// One sample further; costs nothing once settled. Real-time safe: yes.
   void step() noexcept;
@@ -101,18 +106,15 @@ class ErrorPropagation {
   const SensorVector& innovation_variance() const noexcept { return innovation_variance_; }
 
  private:
-  void read_out() noexcept;
+  using Mean = BoundedMatrix<max_augmented, max_unknowns>;
+  using Covariance = BoundedMatrix<max_augmented, max_augmented>;
+  void keep(const Mean& mean, const Covariance& covariance) noexcept;
+  void read_out(const Mean& mean, const Covariance& covariance) noexcept;
   void publish() noexcept;
 
   const ErrorModel* model_;
-  BoundedMatrix<max_augmented, max_unknowns> mean_, mean_next_;       ///< M
-  BoundedMatrix<max_augmented, max_augmented> covariance_, product_;  ///< S and scratch
-  BoundedMatrix<max_health, max_unknowns> health_bias_;               ///< Th M - Gh
-  BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_bias_;         ///< Tz M - Gz
-  BoundedMatrix<max_health, max_augmented> health_spread_;            ///< Th S
-  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_spread_;      ///< Tz S
-  BoundedMatrix<max_sensors, max_unknowns> sensor_bias_;              ///< C A M - Gy
-  BoundedMatrix<max_sensors, max_augmented> sensor_spread_;           ///< C A S
+  KeptMatrix<max_augmented, max_unknowns> mean_;         ///< M
+  KeptMatrix<max_augmented, max_augmented> covariance_;  ///< S
   VarianceParts<max_health> health_parts_;
   VarianceParts<max_auxiliary> auxiliary_parts_;
   double excess_ = 1.0;

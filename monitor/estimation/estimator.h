@@ -17,6 +17,7 @@
 #include "engine_sim/linear_model/linear_model.h"
 #include "monitor/estimation/capacity.h"
 #include "monitor/estimation/estimate.h"
+#include "monitor/estimation/estimator_state.h"
 
 namespace ehm::estimation {
 
@@ -51,6 +52,12 @@ class Estimator {
   /// The engine stands beyond the fleet: the sigmas of what the fleet's spread told are too small by sqrt(excess)
   /// (diagnosis/fleet_watch.h). 1: within it.
   virtual void widen(double excess) noexcept = 0;
+
+  /// What it goes on from, after a sample.
+  virtual void save(EstimatorState& state) const noexcept = 0;
+  /// Goes on from there as if nothing had been between: the next sample gives the bits that it would have given.
+  /// estimate() holds from then on. False, and nothing is changed, if the state is not of this estimator and design.
+  virtual bool restore(const EstimatorState& state) noexcept = 0;
 
   /// How far the conditions are from where the model holds, in tolerances; above 1 it extrapolates.
   [[nodiscard]] virtual double distance(const Conditions& conditions) const noexcept = 0;

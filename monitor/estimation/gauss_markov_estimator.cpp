@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/gauss_markov_estimator.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "deploy/runtime/numbers/index.h"
@@ -14,8 +15,6 @@ GaussMarkovEstimator::GaussMarkovEstimator(std::shared_ptr<const GaussMarkovMode
       error_(set().error),
       distance_(distance),
       du_(model_->units.actuator_trim.size()) {
-  const Eigen::Index size = model_->model->prior.rows();
-  same_.setIdentity(size, size);
   reset();
 }
 
@@ -42,7 +41,7 @@ bool GaussMarkovEstimator::use(SensorMask available) noexcept {
   if (!model_->sets[wanted]) return false;
   set_ = wanted;
   filter_.use(set().gain);
-  error_.switch_to(set().error, same_);
+  error_.switch_to(set().error);
   return true;
 }
 
@@ -72,6 +71,25 @@ void GaussMarkovEstimator::update(SensorMask fused, std::int64_t hold) noexcept 
 void GaussMarkovEstimator::widen(double excess) noexcept {
   error_.widen(excess);
   read_out_sigmas();
+}
+
+void GaussMarkovEstimator::save(EstimatorState& state) const noexcept {
+  state.missing_sensor = static_cast<int>(set_) - 1;
+  state.held_samples = held_samples_;
+  state.estimate = filter_.estimate();
+  error_.save(state.error);
+}
+
+bool GaussMarkovEstimator::restore(const EstimatorState& state) noexcept {
+  const auto set_of_state = as_size(1 + std::max(-1, state.missing_sensor));
+  if (set_of_state >= model_->sets.size() || !model_->sets[set_of_state]) return false;
+  if (!fits(state.error, model_->sets[set_of_state]->error) || !filter_.restore(state.estimate)) return false;
+  set_ = set_of_state;
+  filter_.use(set().gain);
+  error_.restore(set().error, state.error);
+  held_samples_ = state.held_samples;
+  read_out();
+  return true;
 }
 
 void GaussMarkovEstimator::read_out() noexcept {

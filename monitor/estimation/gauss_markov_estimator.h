@@ -43,6 +43,8 @@ class GaussMarkovEstimator final : public Estimator {
   void innovate(const SensorVector& y, const Conditions& now) noexcept override;
   void update(SensorMask fused, std::int64_t hold) noexcept override;
   void widen(double excess) noexcept override;
+  void save(EstimatorState& state) const noexcept override;
+  bool restore(const EstimatorState& state) noexcept override;
   [[nodiscard]] double distance(const Conditions& conditions) const noexcept override {
     return distance_.of(conditions);
   }
@@ -59,7 +61,6 @@ class GaussMarkovEstimator final : public Estimator {
   GaussMarkovFilter filter_;
   ErrorPropagation error_;
   PointDistance distance_;
-  BoundedMatrix<max_augmented, max_augmented> same_;  ///< the identity
   ActuatorVector du_;
   std::int64_t held_samples_ = 0;  ///< since the error's theory went on
   Innovation innovation_;

@@ -33,6 +33,13 @@ void GaussMarkovFilter::reset() noexcept {
   read_out();
 }
 
+bool GaussMarkovFilter::restore(const AugmentedVector& estimate) noexcept {
+  if (estimate.size() != estimate_.size()) return false;
+  estimate_ = estimate;
+  read_out();
+  return true;
+}
+
 void GaussMarkovFilter::predict(const ActuatorVector& du_previous) noexcept {
   const Eigen::Index n = model_->A.rows(), p = model_->L.cols();
   // xpred = A x + B u + L h,  hpred = rho h

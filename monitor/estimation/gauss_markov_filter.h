@@ -46,6 +46,11 @@ class GaussMarkovFilter {
   /// Goes on with the gain of other sensors, of the same shape. Real-time safe: yes.
   void use(const std::shared_ptr<const GaussMarkovGain>& gain) noexcept { gain_ = gain; }
 
+  /// Goes on from a corrected [x; h]. Real-time safe: yes. @returns false, and changes nothing, if its length is another.
+  bool restore(const AugmentedVector& estimate) noexcept;
+
+  /// [x; h]
+  [[nodiscard]] const AugmentedVector& estimate() const noexcept { return estimate_; }
   [[nodiscard]] const HealthVector& health() const noexcept { return health_; }
   [[nodiscard]] const AuxiliaryVector& auxiliary() const noexcept { return auxiliary_; }
   /// As measured, not masked.

@@ -61,6 +61,25 @@ void TimeVaryingEstimator::widen(double excess) noexcept {
   read_out();
 }
 
+void TimeVaryingEstimator::save(EstimatorState& state) const noexcept {
+  state.missing_sensor = -1;
+  state.held_samples = 0;
+  state.estimate = filter_.estimate();
+  state.error.mean = filter_.offset();
+  state.error.covariance = filter_.covariance();
+  state.error.remaining = remaining_;
+}
+
+bool TimeVaryingEstimator::restore(const EstimatorState& state) noexcept {
+  const ErrorState& error = state.error;
+  if (error.remaining < 0 || error.remaining > model_->settling_samples) return false;
+  if (!filter_.restore(state.estimate, error.covariance, error.mean)) return false;
+  remaining_ = error.remaining;
+  begun_ = true;
+  read_out();
+  return true;
+}
+
 void TimeVaryingEstimator::read_out() noexcept {
   const ChannelUnits& units = model_->units;
   estimate_.health = units.health(filter_.health());

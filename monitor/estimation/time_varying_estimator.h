@@ -30,6 +30,8 @@ class TimeVaryingEstimator final : public Estimator {
   void innovate(const SensorVector& y, const Conditions& now) noexcept override;
   void update(SensorMask fused, std::int64_t hold) noexcept override;
   void widen(double excess) noexcept override;
+  void save(EstimatorState& state) const noexcept override;
+  bool restore(const EstimatorState& state) noexcept override;
   [[nodiscard]] double distance(const Conditions& conditions) const noexcept override {
     return distance_.of(conditions);
   }

@@ -25,34 +25,46 @@ void TimeVaryingFilter::reset() noexcept {
   read_out();
 }
 
+bool TimeVaryingFilter::restore(const AugmentedVector& estimate, const FullOrderCovariance& covariance,
+                                const BoundedMatrix<max_augmented, max_unknowns>& offset) noexcept {
+  if (estimate.size() != estimate_.size() || covariance.rows() != covariance_.rows() ||
+      covariance.cols() != covariance_.cols() || offset.rows() != offset_.rows() || offset.cols() != offset_.cols())
+    return false;
+  estimate_ = estimate;
+  covariance_ = covariance;
+  offset_ = offset;
+  read_out();
+  return true;
+}
+
 void TimeVaryingFilter::predict(const ActuatorVector& du_previous) noexcept {
   const Eigen::Index n = model_->A.rows(), p = model_->L.cols();
   // x <- A x + B u + L h
-  state_.noalias() = model_->A.lazyProduct(estimate_.head(n));
-  state_ += model_->B.lazyProduct(du_previous);
-  state_ += model_->L.lazyProduct(estimate_.tail(p));
-  estimate_.head(n) = state_;
+  StateVector state = model_->A.lazyProduct(estimate_.head(n));
+  state += model_->B.lazyProduct(du_previous);
+  state += model_->L.lazyProduct(estimate_.tail(p));
+  estimate_.head(n) = state;
   if (offset_.cols() > 0) {
-    moved_offset_.noalias() = model_->A.lazyProduct(offset_.topRows(n));
-    moved_offset_ += model_->L.lazyProduct(offset_.bottomRows(p));
-    offset_.topRows(n) = moved_offset_;
+    BoundedMatrix<max_states, max_offsets> moved = model_->A.lazyProduct(offset_.topRows(n));
+    moved += model_->L.lazyProduct(offset_.bottomRows(p));
+    offset_.topRows(n) = moved;
   }
 
   // T = A Pxh + L Phh
-  moved_cross_.noalias() = model_->A.lazyProduct(covariance_.topRightCorner(n, p));
-  cross_ = moved_cross_;
-  cross_ += model_->L.lazyProduct(covariance_.bottomRightCorner(p, p));
+  const BoundedMatrix<max_states, max_health> moved_cross = model_->A.lazyProduct(covariance_.topRightCorner(n, p));
+  BoundedMatrix<max_states, max_health> cross = moved_cross;
+  cross += model_->L.lazyProduct(covariance_.bottomRightCorner(p, p));
   // Pxx <- A Pxx A^T + T L^T + L (A Pxh)^T + Q
   const BoundedMatrix<max_states, max_states> moved_state = model_->A.lazyProduct(covariance_.topLeftCorner(n, n));
-  state_block_ = model_->process_noise;
-  state_block_ += moved_state.lazyProduct(model_->A.transpose());
-  state_block_ += cross_.lazyProduct(model_->L.transpose());
-  state_block_ += model_->L.lazyProduct(moved_cross_.transpose());
+  BoundedMatrix<max_states, max_states> block = model_->process_noise;
+  block += moved_state.lazyProduct(model_->A.transpose());
+  block += cross.lazyProduct(model_->L.transpose());
+  block += model_->L.lazyProduct(moved_cross.transpose());
   for (Eigen::Index j = 0; j < n; ++j) {
-    for (Eigen::Index i = 0; i < n; ++i) covariance_(i, j) = 0.5 * (state_block_(i, j) + state_block_(j, i));
+    for (Eigen::Index i = 0; i < n; ++i) covariance_(i, j) = 0.5 * (block(i, j) + block(j, i));
   }
-  covariance_.topRightCorner(n, p) = cross_;
-  covariance_.bottomLeftCorner(p, n) = cross_.transpose();
+  covariance_.topRightCorner(n, p) = cross;
+  covariance_.bottomLeftCorner(p, n) = cross.transpose();
 }
 
 void TimeVaryingFilter::innovation(const SensorVector& dy, const ActuatorVector& du) noexcept {

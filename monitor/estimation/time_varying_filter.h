@@ -44,10 +44,19 @@ class TimeVaryingFilter {
   /// Back to the settled engine of the fleet. Real-time safe: yes.
   void reset() noexcept;
 
+  /// Goes on from an estimate with its P and D. Real-time safe: yes. @returns false, and changes nothing, if their
+  /// shapes are not the model's.
+  bool restore(const AugmentedVector& estimate, const FullOrderCovariance& covariance,
+               const BoundedMatrix<max_augmented, max_unknowns>& offset) noexcept;
+
+  /// [x; h]
+  [[nodiscard]] const AugmentedVector& estimate() const noexcept { return estimate_; }
   [[nodiscard]] const HealthVector& health() const noexcept { return health_; }
   [[nodiscard]] const AuxiliaryVector& auxiliary() const noexcept { return auxiliary_; }
   /// P, n + p, after the latest predict or update.
   [[nodiscard]] const FullOrderCovariance& covariance() const noexcept { return covariance_; }
+  /// D
+  [[nodiscard]] const BoundedMatrix<max_augmented, max_offsets>& offset() const noexcept { return offset_; }
   /// diag(Phh) and diag([F N] P [F N]^T). Real-time safe: yes.
   [[nodiscard]] HealthVector health_variance() const noexcept;
   [[nodiscard]] AuxiliaryVector auxiliary_variance() const noexcept;
@@ -64,15 +73,11 @@ class TimeVaryingFilter {
   void read_out() noexcept;
 
   std::shared_ptr<const FullOrderModel> model_;
-  BoundedMatrix<max_augmented, max_sensors> outputs_;          ///< [C M]^T: a column for each sensor
-  AugmentedVector estimate_, gain_;                            ///< [x; h], b
-  StateVector state_;                                          ///< the next x, before it replaces the present one
-  FullOrderCovariance covariance_;                             ///< P
-  BoundedMatrix<max_states, max_states> state_block_;          ///< the next Pxx
-  BoundedMatrix<max_states, max_health> cross_, moved_cross_;  ///< T and A Pxh
-  BoundedMatrix<max_augmented, max_offsets> offset_;           ///< D
-  BoundedMatrix<max_states, max_offsets> moved_offset_;        ///< the next Dx
-  SensorVector measured_;                                      ///< y - D u
+  BoundedMatrix<max_augmented, max_sensors> outputs_;  ///< [C M]^T: a column for each sensor
+  AugmentedVector estimate_, gain_;                    ///< [x; h], b
+  FullOrderCovariance covariance_;                     ///< P
+  BoundedMatrix<max_augmented, max_offsets> offset_;   ///< D
+  SensorVector measured_;                              ///< y - D u
   SensorVector innovation_, innovation_variance_;
   ActuatorVector actuators_;
   HealthVector health_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/tuner_estimator.h"
 
+#include <algorithm>
+
 #include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/sensor_choice.h"
 
@@ -8,10 +10,11 @@ namespace ehm::estimation {
 
 namespace {
 
-bool same_shape(const ErrorState& state, const ErrorModel& model) noexcept {
-  return state.mean.rows() == model.drive.rows() && state.mean.cols() == model.drive.cols() &&
-         state.covariance.rows() == model.noise.rows() && state.covariance.cols() == model.noise.cols() &&
-         state.remaining <= model.settling_samples;
+/// n + t of the largest set.
+Eigen::Index most_states(const std::vector<ErrorModel>& sets) {
+  Eigen::Index most = 0;
+  for (const ErrorModel& set : sets) most = std::max(most, set.closed_loop.rows());
+  return most;
 }
 
 }  // namespace
@@ -19,7 +22,7 @@ bool same_shape(const ErrorState& state, const ErrorModel& model) noexcept {
 TunerEstimator::TunerEstimator(const TunerEstimatorModel& model, const PointDistance& distance)
     : filter_(model.filter),
       errors_(model.errors),
-      error_(errors_->front()),
+      error_(errors_->front(), most_states(*errors_)),
       distance_(distance),
       sensor_trim_(model.sensor_trim),
       dy_(model.sensor_trim.size()),
@@ -102,11 +105,19 @@ void TunerEstimator::take_back() noexcept {
   filter_.switch_sensor_set(SensorSet::full());
 }
 
-bool TunerEstimator::restore(int missing_sensor, const AugmentedVector& estimate, const ErrorState& error) noexcept {
-  if (as_size(1 + missing_sensor) >= errors_->size() || !same_shape(error, error_model(missing_sensor))) return false;
-  const SensorSet set = missing_sensor < 0 ? SensorSet::full() : SensorSet::without(missing_sensor);
-  if (!filter_.restore(set, estimate)) return false;
-  error_.restore(error_model(missing_sensor), error);
+void TunerEstimator::save(EstimatorState& state) const noexcept {
+  state.missing_sensor = filter_.sensor_set().missing();
+  state.held_samples = held_samples_;
+  state.estimate = filter_.estimate();
+  error_.save(state.error);
+}
+
+bool TunerEstimator::restore(const EstimatorState& state) noexcept {
+  const int missing = std::max(-1, state.missing_sensor);
+  if (as_size(1 + missing) >= errors_->size() || !fits(state.error, error_model(missing))) return false;
+  if (!filter_.restore(missing < 0 ? SensorSet::full() : SensorSet::without(missing), state.estimate)) return false;
+  error_.restore(error_model(missing), state.error);
+  held_samples_ = state.held_samples;
   read_out();
   return true;
 }

@@ -37,6 +37,8 @@ class TunerEstimator final : public Estimator {
   void innovate(const SensorVector& y, const Conditions& now) noexcept override;
   void update(SensorMask fused, std::int64_t hold) noexcept override;
   void widen(double excess) noexcept override;
+  void save(EstimatorState& state) const noexcept override;
+  bool restore(const EstimatorState& state) noexcept override;
   [[nodiscard]] double distance(const Conditions& conditions) const noexcept override {
     return distance_.of(conditions);
   }
@@ -61,11 +63,7 @@ class TunerEstimator final : public Estimator {
     return filter_.gain().C.row(sensor).dot(filter_.estimate());
   }
 
-  // For a successor. Real-time safe: yes, both.
-  [[nodiscard]] ErrorState error_state() const noexcept { return error_.state(); }
-  /// False, and nothing is changed, if the state does not fit the design.
-  bool restore(int missing_sensor, const AugmentedVector& estimate, const ErrorState& error) noexcept;
-  /// Predicts only, with held actuators, `steps` times.
+  /// Predicts only, with held actuators, `steps` times. Real-time safe: yes.
   void fly_blind(const ActuatorVector& actuators, std::uint64_t steps) noexcept;
   /// Samples after which nothing is left of a start.
   [[nodiscard]] int settling_samples() const noexcept { return errors_->front().settling_samples; }

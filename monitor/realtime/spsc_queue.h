@@ -15,6 +15,10 @@ namespace ehm::monitor {
 template <class T, std::size_t Capacity>
 class SpscQueue {
  public:
+  SpscQueue() = default;
+  /// Every slot begins as `each`: for a T whose copy allocates nothing into one of the same size.
+  explicit SpscQueue(const T& each) { slots_.fill(each); }
+
   bool push(const T& value) noexcept {
     const std::uint64_t tail = tail_.load(std::memory_order_relaxed);
     if (tail - head_.load(std::memory_order_acquire) == Capacity) {

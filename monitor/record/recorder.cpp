@@ -38,6 +38,7 @@ Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines, Noti
   info_.monitor_source_id = config.source_id;
   info_.sample_time_s = first.model.sample_time_s;
   info_.created_by = "monitor";
+  info_.published = config.cycle.estimator.published;
   info_.shadows = config.cycle.estimator.shadow;
   info_.channels = recorded_channels(first);
   try {

@@ -22,8 +22,8 @@ constexpr std::chrono::milliseconds poll{50};
 
 /// What the engine table is made of; everything else belongs to entities that live as long as the service.
 bool may_change(std::string_view key) {
-  constexpr std::array<std::string_view, 7> changeable{
-      "monitor.design", "monitor.max_engines", "checks.", "validity.", "shift.", "faults.", "log.level"};
+  constexpr std::array<std::string_view, 8> changeable{
+      "monitor.design", "monitor.max_engines", "checks.", "validity.", "shift.", "faults.", "fleet.", "log.level"};
   return std::any_of(changeable.begin(), changeable.end(), [&](std::string_view c) { return key.starts_with(c); });
 }
 

@@ -93,6 +93,11 @@ std::string checkpoint_text(const Event& e) {
   switch (static_cast<Resumption>(e.detail)) {
     case Resumption::taken:
       return fmt::format("the filter resumed from its checkpoint of {:.3g} s before this sample", e.value);
+    case Resumption::companions_cold:
+      return fmt::format(
+          "the filter resumed from its checkpoint of {:.3g} s before this sample; estimators beside it that the "
+          "checkpoint does not hold start cold",
+          e.value);
     case Resumption::wrong_shape:
       return "the checkpoint does not fit the design's shape: the filter starts cold";
     case Resumption::other_source:

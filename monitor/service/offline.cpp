@@ -8,12 +8,15 @@
 #include <cstring>
 #include <iostream>
 
+#include "deploy/runtime/config/config_error.h"
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/recording/file_reader.h"
 #include "deploy/runtime/recording/row_source.h"
 #include "deploy/runtime/recording/writer.h"
 #include "deploy/runtime/service/stop_signal.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/source_fit.h"
+#include "monitor/design/make_estimator.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/record/record_row.h"
 #include "monitor/service/event_text.h"
@@ -58,6 +61,7 @@ class OfflineRun {
     info.monitor_source_id = config.source_id;
     info.sample_time_s = engines.designs().front()->model.sample_time_s;
     info.created_by = "monitor --offline";
+    info.published = config.cycle.estimator.published;
     info.shadows = config.cycle.estimator.shadow;
     info.channels = recorded_channels(*engines.designs().front());
     writer_.emplace(config.offline.out, info);
@@ -229,6 +233,29 @@ class OfflineRun {
 };
 
 }  // namespace
+
+void choose_offline_estimator(MonitorConfig& config, bool named) {
+  if (!config.offline.column_map.empty()) return;
+  const std::string recorded = recording::FileReader(config.offline.file).info().published;
+  EstimatorOptions& estimator = config.cycle.estimator;
+  if (recorded.empty() || recorded == estimator.published) return;
+  if (named) {
+    spdlog::warn("{} was recorded with estimator.published = {}, {} flies as configured: other estimates than recorded",
+                 config.offline.file, recorded, estimator.published);
+    return;
+  }
+  if (design::known_name(recorded).empty())
+    throw FileError(config.offline.file + ": attribute 'published' is '" + recorded + "', allowed is one of " +
+                    design::known_names() + "; --estimator-published NAME flies another");
+  estimator.published = recorded;
+  try {
+    design::shadow_names(estimator);
+  } catch (const std::invalid_argument& e) {
+    throw config::ConfigError("'estimator.shadow': " + std::string(e.what()) + ", since " + config.offline.file +
+                              " was recorded so; --estimator-published NAME flies another");
+  }
+  spdlog::info("{} flies, as {} was recorded", recorded, config.offline.file);
+}
 
 void run_offline(const MonitorConfig& config, EngineTable& engines) {
   OfflineRun(config, engines).run();

@@ -12,6 +12,9 @@
 
 namespace ehm::monitor {
 
+/// Before the engines are made: the estimator that the recording published is published again, unless the configuration
+/// has `named` one; then a warning says which was recorded. A recording that does not state it changes nothing.
+void choose_offline_estimator(MonitorConfig& config, bool named);
 /// Until the input's end, SIGINT or SIGTERM.
 void run_offline(const MonitorConfig& config, EngineTable& engines);
 

@@ -14,6 +14,7 @@
 #include "deploy/runtime/service/stop_deadline.h"
 #include "idl/dds/security_files.h"
 #include "monitor/checkpoint/checkpoint_keeper.h"
+#include "monitor/design/make_estimator.h"
 #include "monitor/export/metrics_endpoint.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/record/recorder.h"
@@ -63,7 +64,7 @@ idl::ParticipantOptions watched_participant(const MonitorConfig& config, NoticeB
 /// Checkpoints are on: what is kept in flight, and what could be resumed at start.
 struct Checkpoints {
   Checkpoints(const MonitorConfig& config, const EngineTable& engines, NoticeBoard& notices)
-      : writer(config.checkpoint_directory, notices),
+      : writer(config.checkpoint_directory, notices, design::companion_names(config.cycle.estimator).size()),
         resumable(
             config.checkpoint_directory, config.checkpoint_max_age_s, wall_clock_ns(),
             [&](std::uint32_t id) {
@@ -71,7 +72,8 @@ struct Checkpoints {
               return design ? design->hash : std::string();
             },
             refused),
-        keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s) {
+        keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s,
+               design::companion_names(config.cycle.estimator).size()) {
     for (const auto& r : refused)
       notices.post({.kind = idl::EventKind::checkpoint,
                     .raised = true,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How many engines one monitor serves: fleets of growing size from a light replayer before a real monitor, with a
-// subscriber of the estimates. Prints loss, latency, processor time per engine and its linear fit; --largest then
-// doubles and bisects up to the largest fleet without loss and with its p99 within one period.
+// subscriber of the estimates. Prints loss, latency, processor time and resident memory, and what one more engine takes of
+// both by a linear fit; --largest then doubles and bisects up to the largest fleet without loss and with its p99 within
+// one period.
 //
 // Usage: fleet_bench --design FILE [--sizes 1,10,50] [--seconds 10] [--largest] [--loss-only] [--domain 45]
 // Exit:  0 no loss in the sizes asked for and p99 within 3 ms, 1 not, 2 wrong usage
@@ -32,18 +33,21 @@ FleetResult fly_and_print(FleetOptions options, std::uint32_t engines) {
   return r;
 }
 
-/// Least squares of cpu = fixed + each * engines, and the share of the variance that it explains.
-void print_fit(const std::vector<FleetResult>& results) {
+/// Least squares of a figure over the number of engines: fixed + each * engines, and the share of the variance that it
+/// explains; nothing where the sizes do not tell.
+void print_fit(const std::vector<FleetResult>& results, const char* name, const char* unit, int digits,
+               double (*figure)(const FleetResult&)) {
   const auto n = static_cast<double>(results.size());
   double sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
   for (const auto& r : results) {
-    const double x = r.engines, y = r.cpu_percent;
+    const double x = r.engines, y = figure(r);
     sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
   }
   const double vx = sxx - sx * sx / n, vy = syy - sy * sy / n, vxy = sxy - sx * sy / n;
   if (results.size() < 3 || vx <= 0.0 || vy <= 0.0) return;
   const double each = vxy / vx;
-  fmt::print("cpu = {:.2f} % + {:.3f} % per engine, R^2 = {:.4f}\n", (sy - each * sx) / n, each, vxy * vxy / (vx * vy));
+  fmt::print("{0} = {3:.{2}f} {1} + {4:.{2}f} {1} per engine, R^2 = {5:.4f}\n", name, unit, digits,
+             (sy - each * sx) / n, each, vxy * vxy / (vx * vy));
 }
 
 /// The largest fleet that this host carries, known to lie above `carried`.
@@ -91,7 +95,8 @@ int main(int argc, char** argv) {
       results.push_back(fly_and_print(options, engines));
       good = good && results.back().lossless() && (loss_only || results.back().p99_us < asked_p99_us);
     }
-    print_fit(results);
+    print_fit(results, "cpu", "%", 3, [](const FleetResult& r) { return r.cpu_percent; });
+    print_fit(results, "memory", "kB", 0, [](const FleetResult& r) { return 1e3 * r.memory_mb; });
     if (find_largest)
       fmt::print("largest fleet that this host carries without loss, p99 within {:.0f} ms: {} engines\n",
                  options.period_ms, largest(options, results.back().engines));

@@ -63,6 +63,7 @@ void FileReader::read_info() {
   read("monitor_source_id", H5T_NATIVE_INT64, &info_.monitor_source_id);
   read("sample_time_s", H5T_NATIVE_DOUBLE, &info_.sample_time_s);
   info_.created_by = read_text("created_by");
+  if (H5Aexists(file_, "published") > 0) info_.published = read_text("published");
   if (H5Aexists(file_, "shadows") > 0) info_.shadows = read_text("shadows");
   auto flight = read_channels("W");
   if (flight.size() < flight_channels) throw FileError(path_ + ": W_var has too few names");

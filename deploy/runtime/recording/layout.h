@@ -42,7 +42,8 @@ struct FileInfo {
   std::int64_t monitor_source_id = 0;
   double sample_time_s = 0.0;  ///< of the design
   std::string created_by;
-  std::string shadows;  ///< names of the estimators whose rows stand behind each sample's, with commas between
+  std::string published;  ///< name of the estimator whose estimates stand in the samples' rows; empty: not stated
+  std::string shadows;    ///< names of the estimators whose rows stand behind each sample's, with commas between
   Channels channels;
 };
 

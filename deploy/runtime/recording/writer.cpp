@@ -60,6 +60,7 @@ void Writer::write_attributes(const FileInfo& info) {
   write("monitor_source_id", H5T_NATIVE_INT64, &info.monitor_source_id);
   write("sample_time_s", H5T_NATIVE_DOUBLE, &info.sample_time_s);
   write("created_by", text, padded(info.created_by).data());
+  if (!info.published.empty()) write("published", text, padded(info.published).data());
   if (!info.shadows.empty()) write("shadows", text, padded(info.shadows).data());
 }
 

@@ -342,6 +342,24 @@ TEST_F(CsvTest, ACsvFileGivesTheEstimatesOfTheFlightThatItHolds) {
   EXPECT_TRUE(same_bits(replayed.back().t, samples.back().t, samples.back().t.size()));
 }
 
+TEST_F(RecordTest, ThePublishedEstimatorIsStatedAndFliesAgainOffline) {
+  auto monitor = record("online.h5", {"--estimator-published", "time_varying"});
+  fly("6");
+  ASSERT_TRUE(await_received(1, 400));
+  stop(*monitor);
+  EXPECT_EQ(recording::RecordingRows(folder_.path("online.h5")).info().published, "time_varying");
+  EXPECT_THAT(offline("online.h5", "offline.h5"),
+              AllOf(HasSubstr("time_varying flies, as"), HasSubstr("400 identical to the bit, 0 different")));
+  EXPECT_EQ(recording::RecordingRows(folder_.path("offline.h5")).info().published, "time_varying");
+  EXPECT_THAT(offline("online.h5", "other.h5", {"--estimator-published", "tuner"}),
+              AllOf(HasSubstr("was recorded with estimator.published = time_varying, tuner flies as configured"),
+                    HasSubstr("0 identical to the bit, 400 different")));
+  Process twice({monitor_program(), "--monitor-design", design_file(), "--offline", folder_.path("online.h5"), "--out",
+                 folder_.path("twice.h5"), "--estimator-shadow", "time_varying"});
+  EXPECT_EQ(twice.wait(seconds(20)), 2);
+  EXPECT_THAT(twice.log(), HasSubstr("'estimator.shadow': 'time_varying' is published already, since "));
+}
+
 TEST_F(RecordTest, WhatCannotBeReadOrWrittenIsNamedBeforeAnythingStarts) {
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& message) {
     Process process(arguments);

@@ -28,13 +28,17 @@ std::string message(const std::string& text) {
   return "accepted";
 }
 
+std::string with_hash(json j) {
+  j.erase("hash");
+  j["hash"] = files::sha256_hex(j.dump());
+  return j.dump();
+}
+
 /// The text with one value changed and a valid hash: what a defect looks like behind the checksum.
 std::string changed(const std::string& pointer, const json& value) {
   json j = json::parse(to_text(test::some_checkpoint()));
   j[json::json_pointer(pointer)] = value;
-  j.erase("hash");
-  j["hash"] = files::sha256_hex(j.dump());
-  return j.dump();
+  return with_hash(j);
 }
 
 TEST(Checkpoint, RoundTripsToTheBit) {
@@ -46,12 +50,21 @@ TEST(Checkpoint, RoundTripsToTheBit) {
   EXPECT_EQ(after.state.source_id, before.state.source_id);
   EXPECT_EQ(after.state.sequence, before.state.sequence);
   EXPECT_EQ(after.state.source_time_ns, before.state.source_time_ns);
-  EXPECT_EQ(after.state.missing_sensor, before.state.missing_sensor);
+  EXPECT_EQ(after.state.watch.missing_sensor, before.state.watch.missing_sensor);
   EXPECT_EQ(after.state.excluded, before.state.excluded);
-  EXPECT_EQ(after.state.estimate, before.state.estimate);
-  EXPECT_EQ(after.state.error.mean, before.state.error.mean);
-  EXPECT_EQ(after.state.error.covariance, before.state.error.covariance);
-  EXPECT_EQ(after.state.error.remaining, before.state.error.remaining);
+  EXPECT_EQ(after.state.watch.estimate, before.state.watch.estimate);
+  EXPECT_EQ(after.state.watch.error.mean, before.state.watch.error.mean);
+  EXPECT_EQ(after.state.watch.error.covariance, before.state.watch.error.covariance);
+  EXPECT_EQ(after.state.watch.error.remaining, before.state.watch.error.remaining);
+  EXPECT_EQ(after.state.watch.held_samples, before.state.watch.held_samples);
+  ASSERT_EQ(after.state.companions.size(), 1u);
+  const CompanionState &companion = after.state.companions.front(), &stored = before.state.companions.front();
+  EXPECT_EQ(companion.name, "time_varying");
+  EXPECT_EQ(companion.state.estimate, stored.state.estimate);
+  EXPECT_EQ(companion.state.error.mean.rows(), 4);
+  EXPECT_EQ(companion.state.error.mean.cols(), 0);
+  EXPECT_EQ(companion.state.error.covariance, stored.state.error.covariance);
+  EXPECT_EQ(companion.state.error.remaining, stored.state.error.remaining);
   EXPECT_EQ(after.state.return_gate.age_s, before.state.return_gate.age_s);
 }
 
@@ -71,7 +84,8 @@ TEST(Checkpoint, AFlippedDigitIsRefusedByItsHash) {
 
 TEST(Checkpoint, DefectsBehindTheHashAreNamed) {
   EXPECT_EQ(message(changed("/source/sequence", 5)), "accepted");  // changed() itself makes valid texts
-  EXPECT_THAT(message(changed("/schema", "ehm-checkpoint/9")), HasSubstr("ehm-checkpoint/1"));
+  EXPECT_THAT(message(changed("/schema", "ehm-checkpoint/9")),
+              HasSubstr("\"ehm-checkpoint/2\" or \"ehm-checkpoint/1\""));
   EXPECT_THAT(message(changed("/engine_id", 0)), HasSubstr("engine_id is 0; allowed: 1 to"));
   EXPECT_THAT(message(changed("/engine_id", -3)), HasSubstr("engine_id is -3"));
   EXPECT_THAT(message(changed("/missing_sensor", 16)), HasSubstr("missing_sensor is 16; allowed: -1 to 15"));
@@ -85,7 +99,39 @@ TEST(Checkpoint, DefectsBehindTheHashAreNamed) {
   EXPECT_THAT(message(changed("/error/mean", json::array({1, 2}))), HasSubstr("error.mean"));
   EXPECT_THAT(message(changed("/error/remaining_samples", -1)), HasSubstr("error.remaining_samples"));
   EXPECT_THAT(message(changed("/return_gate/narrow_variance", 0.0)), HasSubstr("return_gate.narrow_variance"));
+  EXPECT_THAT(message(changed("/error/covariance/0/1", 0.1)), HasSubstr("error.covariance is 0.1"));
+  EXPECT_THAT(message(changed("/held_samples", -1)), HasSubstr("held_samples is -1; allowed: 0 to"));
   EXPECT_THAT(message(changed("/surplus", 1)), HasSubstr("surplus"));
+}
+
+TEST(Checkpoint, ABrokenPartOfACompanionIsNamed) {
+  const std::string own = "companions.time_varying.";
+  EXPECT_THAT(message(changed("/companions", 3)), HasSubstr("companions"));
+  EXPECT_THAT(message(changed("/companions/kalman", 3)), HasSubstr("companions is \"kalman\"; allowed: estimators"));
+  EXPECT_THAT(message(changed("/companions/tuner", 3)), HasSubstr("tuner, gauss_markov, time_varying"));
+  EXPECT_THAT(message(changed("/companions/time_varying", nullptr)), HasSubstr("companions.time_varying"));
+  EXPECT_THAT(message(changed("/companions/time_varying/estimate/0", "x")), HasSubstr(own + "estimate[0]"));
+  EXPECT_THAT(message(changed("/companions/time_varying/estimate", {1.0, 2.0})), HasSubstr(own + "error.mean"));
+  EXPECT_THAT(message(changed("/companions/time_varying/missing_sensor", 99)), HasSubstr(own + "missing_sensor is 99"));
+  EXPECT_THAT(message(changed("/companions/time_varying/surplus", 1)), HasSubstr(own + "surplus"));
+  // variances of 1/7, correlated by more than 1: no covariance, though symmetric
+  json j = json::parse(to_text(test::some_checkpoint()));
+  json& covariance = j["companions"]["time_varying"]["error"]["covariance"];
+  covariance[0][1] = covariance[1][0] = 0.2;
+  EXPECT_THAT(message(with_hash(j)), HasSubstr(own + "error.covariance is -0.05"));
+}
+
+TEST(Checkpoint, OneOfAnEarlierVersionIsReadWithoutCompanions) {
+  json j = json::parse(to_text(test::some_checkpoint()));
+  j["schema"] = "ehm-checkpoint/1";
+  EXPECT_THAT(message(with_hash(j)), HasSubstr("companions"));  // that version had none
+  j.erase("companions");
+  j.erase("held_samples");
+  const Checkpoint before = test::some_checkpoint(), after = parse_checkpoint(with_hash(j), "some.json");
+  EXPECT_EQ(after.state.watch.estimate, before.state.watch.estimate);
+  EXPECT_EQ(after.state.watch.error.covariance, before.state.watch.error.covariance);
+  EXPECT_EQ(after.state.watch.held_samples, 0);
+  EXPECT_TRUE(after.state.companions.empty());
 }
 
 }  // namespace

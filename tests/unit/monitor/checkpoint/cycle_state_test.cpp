@@ -112,7 +112,7 @@ TEST_F(CycleStateTest, AFaultySensorStaysOut) {
   fly(settled);
   fly(50, true);
   const CycleState state = snapshot();
-  EXPECT_EQ(state.missing_sensor, 2);
+  EXPECT_EQ(state.watch.missing_sensor, 2);
   const Sample next = fly(1, true);
   ASSERT_EQ(second_.resume(state, next, max_gap_s), Resumption::taken);
   second_.process(next);
@@ -182,14 +182,64 @@ TEST_F(CycleStateTest, AStateOfAnotherShapeIsRefused) {
   fly(settled);
   const Sample next = flight_->next();
   CycleState state = snapshot();
-  state.estimate.conservativeResize(state.estimate.size() - 1);
+  state.watch.estimate.conservativeResize(state.watch.estimate.size() - 1);
   EXPECT_EQ(second_.resume(state, next, max_gap_s), Resumption::wrong_shape);
   state = snapshot();
-  state.error.mean.conservativeResize(state.error.mean.rows(), 1);
+  state.watch.error.mean.conservativeResize(state.watch.error.mean.rows(), 1);
   EXPECT_EQ(second_.resume(state, next, max_gap_s), Resumption::wrong_shape);
   state = snapshot();
-  state.missing_sensor = 15;
+  state.watch.missing_sensor = 15;
   EXPECT_EQ(second_.resume(state, next, max_gap_s), Resumption::wrong_shape);
+}
+
+TEST_F(CycleStateTest, EstimatorsBesideGoOnWithTheSameBitsToo) {
+  CycleOptions options;
+  options.estimator = {.published = "time_varying", .shadow = "gauss_markov"};
+  for (const int flown : {20, settled}) {
+    MonitorCycle first(design_, options), successor(design_, options);
+    for (int i = 0; i < flown; ++i) first.process(flight_->next());
+    CycleState state;
+    ASSERT_TRUE(first.snapshot(state));
+    for (int k = 0; k < 3; ++k) {
+      const Sample next = flight_->next();
+      if (k == 0) {
+        ASSERT_EQ(successor.resume(state, next, max_gap_s), Resumption::taken);
+      }
+      first.process(next);
+      successor.process(next);
+      EXPECT_EQ(successor.result().estimate.health, first.result().estimate.health);
+      EXPECT_EQ(successor.result().estimate.health_sigma, first.result().estimate.health_sigma);
+      ASSERT_EQ(successor.result().shadow.size(), 1u);
+      EXPECT_EQ(successor.result().shadow[0].health, first.result().shadow[0].health);
+      EXPECT_EQ(successor.result().shadow[0].health_sigma, first.result().shadow[0].health_sigma);
+    }
+  }
+}
+
+TEST_F(CycleStateTest, WithoutTheirStateEstimatorsBesideStartColdAndTheWatchFilterGoesOn) {
+  CycleOptions options;
+  options.estimator.shadow = "time_varying,gauss_markov";
+  MonitorCycle first(design_, options);
+  for (int i = 0; i < settled; ++i) first.process(flight_->next());
+  CycleState state;
+  ASSERT_TRUE(first.snapshot(state));
+  const Sample next = flight_->next();
+  first.process(next);
+  const CycleState whole = state;
+  const auto resumed = [&] {
+    auto successor = std::make_unique<MonitorCycle>(design_, options);
+    EXPECT_EQ(successor->resume(state, next, max_gap_s), Resumption::companions_cold);
+    successor->process(next);
+    EXPECT_EQ(successor->watch().filter().health(), first.watch().filter().health());
+    return successor;
+  };
+  state.companions.clear();  // a checkpoint of an earlier version
+  EXPECT_GT(resumed()->result().shadow[0].health_sigma.norm(), 1.5 * first.result().shadow[0].health_sigma.norm());
+  EXPECT_FALSE(resumed()->result().shadow[1].settled);
+  state = whole;
+  state.companions[0].state.estimate.conservativeResize(3);  // of another shape: only this one
+  EXPECT_FALSE(resumed()->result().shadow[0].settled);
+  EXPECT_EQ(resumed()->result().shadow[1].health, first.result().shadow[1].health);
 }
 
 TEST_F(CycleStateTest, NothingToKeepWithoutAnEstimate) {

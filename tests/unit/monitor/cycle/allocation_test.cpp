@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data path allocates nothing after start: every operator new of the process is counted.
+// The data path allocates nothing after start, and an engine is no larger than stated: every operator new of the process
+// is counted.
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 
+#include "monitor/shared/engine_slot.h"
 #include "tests/unit/monitor/cycle/flight.h"
 #include "tests/unit/monitor/estimation/allocation_counter.h"
 
@@ -73,6 +76,19 @@ TEST(Allocation, NoneWhenACycleBecomesAsItWas) {
   }
   EXPECT_EQ(used.watch().filter().health(), fresh.watch().filter().health());
   EXPECT_EQ(used.counters().received, 200u);
+}
+
+// A fleet's memory is that of its engines: what one more of a design that is loaded already takes, with its latencies and
+// counters. 7 sensors, 10 health parameters, 7 tuners; the shift detector's window is a fourth of it.
+TEST(Memory, OneMoreEngineOfALoadedDesignTakes60kBAtMost) {
+  const monitor::CycleOptions options;
+  const monitor::PreparedDesign prepared(test::made_up_design(), options);
+  const long before = test::allocated_bytes();
+  const auto slot = std::make_unique<monitor::EngineSlot>(prepared, options);
+  const long engine = test::allocated_bytes() - before;
+  RecordProperty("bytes", static_cast<int>(engine));
+  EXPECT_LE(engine, 60'000);
+  EXPECT_GT(engine, static_cast<long>(sizeof(monitor::EngineSlot)));
 }
 
 }  // namespace

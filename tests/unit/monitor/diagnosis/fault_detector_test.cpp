@@ -139,8 +139,7 @@ TEST(FaultSignatures, AnswerTheFilterAsFlown) {
   open.checks.gate_sigma = 20.0;
   open.checks.stuck_samples = 100'000;  // without noise every sensor looks stuck
   MonitorCycle cycle(design, open);
-  OnsetRing ring;
-  ring.start(tables->full);
+  OnsetRing ring(tables->full);
   for (int age = 0; age < 60; ++age) {
     Sample s = flight.next();
     s.sensor[2] += 3.0 * design->model.sensor_noise_sigma(2);
@@ -164,8 +163,7 @@ TEST(FaultSignatures, NoiseStaysBelowTheChiSquareOfWhiteNoise) {
   const FaultDetector detector(options, tables, design->model.sample_time_s);
   test::Flight flight(design->model, Eigen::VectorXd::Zero(10), 5);
   MonitorCycle cycle(design, CycleOptions{});
-  OnsetRing ring;
-  ring.start(tables->full);
+  OnsetRing ring(tables->full);
   int above = 0;
   bool was_above = false;
   for (int k = 0; k < 60'000; ++k) {

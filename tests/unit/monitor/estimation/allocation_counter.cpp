@@ -8,7 +8,12 @@
 #include "deploy/runtime/numbers/index.h"
 
 namespace {
-std::atomic<long> allocations{0};
+std::atomic<long> allocations{0}, bytes{0};
+
+void count(std::size_t size) {
+  ++allocations;
+  bytes += static_cast<long>(size);
+}
 }  // namespace
 
 // The names are those that the linker's --wrap option gives to the caller's and to the real function.
@@ -18,11 +23,11 @@ void* __real_realloc(void* memory, std::size_t size);
 void* __wrap_malloc(std::size_t size);
 void* __wrap_realloc(void* memory, std::size_t size);
 void* __wrap_malloc(std::size_t size) {
-  ++allocations;
+  count(size);
   return __real_malloc(size);
 }
 void* __wrap_realloc(void* memory, std::size_t size) {
-  ++allocations;
+  count(size);
   return __real_realloc(memory, size);
 }
 }
@@ -32,7 +37,7 @@ void* operator new(std::size_t size) {
   throw std::bad_alloc();
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
+  count(size);
   const auto a = as_size(alignment);
   if (void* memory = std::aligned_alloc(a, (size + a - 1) / a * a)) return memory;
   throw std::bad_alloc();
@@ -54,6 +59,9 @@ namespace ehm::test {
 
 long allocation_count() {
   return allocations;
+}
+long allocated_bytes() {
+  return bytes;
 }
 
 }  // namespace ehm::test

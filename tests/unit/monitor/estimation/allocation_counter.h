@@ -7,5 +7,7 @@ namespace ehm::test {
 
 /// Allocations since the program started.
 long allocation_count();
+/// What they asked for, since then; what was freed again is in it.
+long allocated_bytes();
 
 }  // namespace ehm::test

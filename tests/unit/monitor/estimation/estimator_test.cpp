@@ -43,6 +43,9 @@ Conditions conditions_of(const monitor::Sample& sample) {
 class Flown {
  public:
   Flown(Estimator& estimator, test::Flight& flight) : estimator_(estimator), flight_(flight) {}
+  /// Of an estimator that has flown before, lastly in these conditions.
+  Flown(Estimator& estimator, test::Flight& flight, const Conditions& before)
+      : estimator_(estimator), flight_(flight), before_(before), begun_(true) {}
 
   void fly(int samples, SensorMask available = all_sensors()) {
     for (int k = 0; k < samples; ++k) {
@@ -60,6 +63,7 @@ class Flown {
       estimator_.update(available, 1);
     }
   }
+  const Conditions& before() const { return before_; }
 
  private:
   Estimator& estimator_;
@@ -204,6 +208,52 @@ TEST_P(EveryEstimator, IsWidenedForAnEngineBeyondTheFleet) {
   EXPECT_EQ(estimator_->estimate().health_sigma, before.health_sigma);
 }
 
+TEST_P(EveryEstimator, GoesOnFromASavedStateWithTheSameBits) {
+  const auto without = SensorMask(all_sensors()).reset(3);
+  for (const int flown : {1, 40, 6000}) {  // cold, converging, and settled but for the time-varying filter's memory
+    for (const SensorMask available : {all_sensors(), without}) {
+      auto flight = engine_of_the_fleet(11);
+      estimator_->reset();
+      Flown flown_on(*estimator_, flight);
+      flown_on.fly(flown, available);
+      estimation::EstimatorState state;
+      estimator_->save(state);
+      const auto successor = make(GetParam());
+      ASSERT_TRUE(successor->restore(state));
+      EXPECT_EQ(successor->estimate().health, estimator_->estimate().health);
+      EXPECT_EQ(successor->estimate().health_sigma, estimator_->estimate().health_sigma);
+      auto twin = flight;
+      Flown goes_on(*successor, twin, flown_on.before());
+      for (int k = 0; k < 20; ++k) {
+        flown_on.fly(1, available);
+        goes_on.fly(1, available);
+        ASSERT_TRUE(same(successor->estimate(), estimator_->estimate())) << flown << " + " << k;
+        ASSERT_EQ(successor->innovation().value.head(3), estimator_->innovation().value.head(3));
+        ASSERT_EQ(successor->innovation().variance, estimator_->innovation().variance);
+      }
+    }
+  }
+}
+
+TEST_P(EveryEstimator, AStateThatIsNotItsOwnChangesNothing) {
+  auto flight = engine_of_the_fleet(12);
+  Flown(*estimator_, flight).fly(50);
+  const Estimate before = estimator_->estimate();
+  estimation::EstimatorState state;
+  estimator_->save(state);
+  const auto refused = [&](auto&& change) {
+    estimation::EstimatorState broken = state;
+    change(broken);
+    return !estimator_->restore(broken) && same(estimator_->estimate(), before);
+  };
+  EXPECT_TRUE(refused([](auto& s) { s.estimate.conservativeResize(s.estimate.size() - 1); }));
+  EXPECT_TRUE(refused([](auto& s) { s.error.mean.conservativeResize(s.error.mean.rows(), s.error.mean.cols() - 1); }));
+  EXPECT_TRUE(refused([](auto& s) { s.error.covariance.setIdentity(3, 3); }));
+  EXPECT_TRUE(refused([](auto& s) { s.error.remaining = 1'000'000'000; }));
+  EXPECT_TRUE(refused([](auto& s) { s.error.remaining = -1; }));
+  EXPECT_TRUE(refused([](auto& s) { s = {}; }));
+}
+
 TEST_P(EveryEstimator, KnowsHowFarItsPointIs) {
   auto flight = engine_of_the_fleet(9);
   Conditions here = conditions_of(flight.next());
@@ -219,6 +269,7 @@ TEST_P(EveryEstimator, AllocatesNothingAfterConstruction) {
   const Conditions now = conditions_of(sample);
   estimation::SensorVector y(sensors);
   for (int i = 0; i < sensors; ++i) y(i) = sample.sensor[as_size(i)];
+  estimation::EstimatorState state;
   const long before = test::allocation_count();
   for (int k = 0; k < 50; ++k) {
     estimator_->use(k < 20 ? all_sensors() : SensorMask(all_sensors()).reset(2));
@@ -227,6 +278,8 @@ TEST_P(EveryEstimator, AllocatesNothingAfterConstruction) {
     estimator_->update(k == 40 ? SensorMask{} : all_sensors(), 1);
     estimator_->widen(k < 45 ? 1.0 : 2.0);
     if (estimator_->distance(now) > 1e9) break;
+    if (k == 10) estimator_->save(state);
+    if (k == 25) EXPECT_TRUE(estimator_->restore(state));
   }
   estimator_->reset();
   EXPECT_EQ(test::allocation_count() - before, 0);

@@ -97,6 +97,17 @@ TEST_F(WriterTest, NeverOverwrites) {
   EXPECT_THROW(Writer(folder_.path("no/such/folder.h5"), example_info()), files::FileError);
 }
 
+TEST_F(WriterTest, TheEstimatorsComeBackAndAFileWithoutThemStatesNone) {
+  FileInfo info = example_info();
+  { const Writer writer(folder_.path("old.h5"), info); }
+  info.published = "time_varying";
+  info.shadows = "tuner,gauss_markov";
+  { const Writer writer(folder_.path("new.h5"), info); }
+  EXPECT_EQ(FileReader(folder_.path("old.h5")).info().published, "");
+  EXPECT_EQ(FileReader(folder_.path("new.h5")).info().published, "time_varying");
+  EXPECT_EQ(FileReader(folder_.path("new.h5")).info().shadows, "tuner,gauss_markov");
+}
+
 TEST_F(WriterTest, AnEngineWithoutAuxiliaryOutputsCanBeRecorded) {
   FileInfo info = example_info();
   info.channels.auxiliary.clear();

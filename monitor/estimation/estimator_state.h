@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// What an estimator goes on from between two samples: for a checkpoint, and for a successor of the same design. One
+// form for all of them, scaled units, plain data of fixed capacity.
+//
+//   tuner          [x; q] of the set in use    M, S of error_propagation.h
+//   gauss_markov   [x; h]                      M, S of the set in use
+//   time_varying   [x; h]                      D and P of time_varying_filter.h in the places of M and S
+//
+// M and D are the same: E[xhat - [x; h] | what is unknown but constant]. Not kept, since the next sample brings it: the
+// innovations, the actuators, what widen() was told.
+
+#include <cstdint>
+
+#include "monitor/estimation/capacity.h"
+#include "monitor/estimation/error_propagation.h"
+
+namespace ehm::estimation {
+
+struct EstimatorState {
+  int missing_sensor = -1;        ///< that the design in use lacks; -1: none
+  std::int64_t held_samples = 0;  ///< since the error's theory went on, while a sensor holds its values
+  AugmentedVector estimate;
+  ErrorState error;
+};
+
+}  // namespace ehm::estimation
