@@ -8,14 +8,13 @@
 #include <optional>
 #include <string_view>
 
-#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 
 namespace ehm::idl {
 
 /// Of SensorFaultKind, by value.
 inline constexpr std::array sensor_fault_names{"none", "bias", "drift", "stuck", "dropout", "noise"};
-static_assert(sensor_fault_names.size() == as_size(SensorFaultKind::noise) + 1);
+static_assert(sensor_fault_names.size() == static_cast<std::size_t>(SensorFaultKind::noise) + 1);
 
 /// Nothing for a word that is none of them.
 inline std::optional<SensorFaultKind> sensor_fault_kind(std::string_view name) {

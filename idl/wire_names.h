@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
 
 namespace ehm::idl {
@@ -50,7 +49,7 @@ inline constexpr std::array event_kind_names{"?",
                                              "engine_left",
                                              "second_monitor",
                                              "command_flood"};
-static_assert(event_kind_names.size() == as_size(EventKind::command_flood) + 1);
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::command_flood) + 1);
 
 inline constexpr std::array<std::pair<std::uint32_t, const char*>, 6> estimate_flag_names{
     {{estimate_flag::converging, "converging"},

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::demo {
 
 namespace {
@@ -17,7 +15,7 @@ bool begins_a_code_point(char c) {
 }
 
 std::size_t width_of(std::string_view text) {
-  return as_size(std::count_if(text.begin(), text.end(), begins_a_code_point));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_a_code_point));
 }
 
 /// The first `width` code points.
@@ -48,8 +46,8 @@ void narrow(std::vector<std::size_t>& widths, std::string_view alignment, std::s
 }  // namespace
 
 std::string wrapped(std::string_view text, int columns, int indent) {
-  const auto most = as_size(std::max(columns, least_columns));
-  const std::string margin(as_size(indent), ' ');
+  const auto most = static_cast<std::size_t>(std::max(columns, least_columns));
+  const std::string margin(static_cast<std::size_t>(indent), ' ');
   std::string result, line;
   bool empty = true;  // no word on the line yet
   const auto end_line = [&] {
@@ -72,7 +70,7 @@ std::string wrapped(std::string_view text, int columns, int indent) {
 }
 
 std::string columns_text(const std::vector<std::vector<std::string>>& lines, std::string_view alignment, int columns) {
-  const auto most = as_size(std::max(columns, least_columns));
+  const auto most = static_cast<std::size_t>(std::max(columns, least_columns));
   std::vector<std::size_t> widths(alignment.size());
   for (const auto& line : lines)
     for (std::size_t c = 0; c < line.size(); ++c) widths[c] = std::max(widths[c], width_of(line[c]));

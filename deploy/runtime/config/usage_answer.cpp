@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "deploy/runtime/config/nearest_name.h"
-#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/exit_code.h"
 
 namespace ehm::config {
@@ -65,7 +64,8 @@ std::string nearest_option(const std::string& written, const std::vector<std::st
   }
   const std::string near = nearest_name(written, without_section);
   if (near.empty()) return near;
-  return known[as_size(std::find(without_section.begin(), without_section.end(), near) - without_section.begin())];
+  return known[static_cast<std::size_t>(std::find(without_section.begin(), without_section.end(), near) -
+                                        without_section.begin())];
 }
 
 std::string meant_text(const std::string& near) {

@@ -14,7 +14,6 @@
 #include <mutex>
 
 #include "deploy/runtime/files/file_error.h"
-#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::files {
 
@@ -80,7 +79,7 @@ void AtomicFile::write(std::string_view content) {
     const ssize_t written = ::write(descriptor_, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) fail(errno);
-    content.remove_prefix(as_size(written));
+    content.remove_prefix(static_cast<std::size_t>(written));
   }
 }
 

@@ -11,7 +11,6 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/table_text.h"
-#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::files {
 namespace {
@@ -90,7 +89,7 @@ ReadRows read_rows(const std::string& path, const TableFormat& format) {
 std::optional<std::size_t> CsvTable::column(std::string_view name) const {
   const auto found = std::find(header.cells.begin(), header.cells.end(), name);
   if (found == header.cells.end()) return std::nullopt;
-  return as_size(found - header.cells.begin());
+  return static_cast<std::size_t>(found - header.cells.begin());
 }
 
 CsvTable read_csv(const std::string& path, bool columns_alike) {

@@ -14,7 +14,6 @@
 #include <thread>
 
 #include "deploy/runtime/files/file_error.h"
-#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::files {
 
@@ -70,13 +69,13 @@ std::unique_ptr<Descriptor> open_input(const std::string& path, const InputKind&
 std::string read_all(const std::string& path, const InputKind& kind) {
   struct stat status {};
   const auto file = open_input(path, kind, status);
-  std::string content(as_size(status.st_size), '\0');
+  std::string content(static_cast<std::size_t>(status.st_size), '\0');
   for (std::size_t filled = 0;;) {
     if (filled == content.size()) content.resize(filled + 4096);  // it may have grown
     const ssize_t got = read(file->number(), content.data() + filled, content.size() - filled);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) refuse(path, errno);
-    filled += as_size(got);
+    filled += static_cast<std::size_t>(got);
     if (filled > kind.most_bytes)
       throw FileError(path + ": has more than " + std::to_string(kind.most_bytes) + " bytes, the most that " +
                       kind.name + " has. Is it the right file?");

@@ -8,7 +8,6 @@
 
 #include "deploy/runtime/files/csv_table.h"
 #include "deploy/runtime/files/file_error.h"
-#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::files {
 namespace {
@@ -119,7 +118,7 @@ std::string likely_cause(const ReadRows& table, const CsvRow& row, std::size_t e
       return too_many(table, row, expected);
   }
   // The rows below agree with each other from the first one on, and most of them.
-  if (&row == &table.rows[1] && as_long > 1 && 2 * as_size(as_long) >= table.rows.size() - 1 &&
+  if (&row == &table.rows[1] && as_long > 1 && 2 * static_cast<std::size_t>(as_long) >= table.rows.size() - 1 &&
       another_separator(row.cells, table.format.separator).empty())
     return odd_first_line(table, row, expected);
   return more ? too_many(table, row, expected) : too_few(table, row);
@@ -137,8 +136,8 @@ NumberShape shape_of(std::string_view cell, char decimal) {
   shape.exponent = e != cell.npos;
   shape.point = point != cell.npos;
   const std::string_view tail = shape.exponent ? cell.substr(e + 1) : std::string_view();
-  shape.exponent_digits =
-      as_size(std::count_if(tail.begin(), tail.end(), [](unsigned char c) { return std::isdigit(c); }));
+  shape.exponent_digits = static_cast<std::size_t>(
+      std::count_if(tail.begin(), tail.end(), [](unsigned char c) { return std::isdigit(c); }));
   if (shape.point) shape.decimals = std::min(e, cell.size()) - point - 1;
   return shape;
 }

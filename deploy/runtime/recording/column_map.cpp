@@ -6,7 +6,6 @@
 
 #include "deploy/runtime/config/schema.h"
 #include "deploy/runtime/config/table_reader.h"
-#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/recording/row.h"
 #include "deploy/runtime/units/units.h"
 
@@ -22,7 +21,7 @@ constexpr double largest = 1e12;
 
 Column read_column(TableReader& table, const std::string& key, bool header) {
   if (header && table.is_text(key)) return table.text(key);
-  return as_size(table.integer(key, 1, last_column));
+  return static_cast<std::size_t>(table.integer(key, 1, last_column));
 }
 
 files::Separator read_separator(TableReader& table) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "deploy/runtime/files/file_error.h"
-#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::recording {
 
@@ -74,7 +73,7 @@ CsvRows::Place CsvRows::find(const Column& column, const CsvRow* header) const {
   if (std::find(found + 1, header->cells.end(), name) != header->cells.end())
     throw FileError(file_ + ":" + std::to_string(header->line) + ": column '" + name +
                     "' appears twice; name the columns apart, or map them by number");
-  return {as_size(found - header->cells.begin()), "column '" + name + "'"};
+  return {static_cast<std::size_t>(found - header->cells.begin()), "column '" + name + "'"};
 }
 
 void CsvRows::find_columns(const CsvRow* header) {

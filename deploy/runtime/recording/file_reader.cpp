@@ -6,7 +6,6 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/input_file.h"
-#include "deploy/runtime/numbers/index.h"
 
 namespace ehm::recording {
 
@@ -92,7 +91,7 @@ std::vector<std::string> FileReader::read_texts(const std::string& name) const {
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   constexpr hssize_t most = 100'000;  // a damaged file must not ask for all memory
   if (count < 0 || count > most) throw FileError(path_ + ": " + name + " has an impossible size");
-  std::vector<std::array<char, text_size + 1>> bytes(as_size(count));
+  std::vector<std::array<char, text_size + 1>> bytes(static_cast<std::size_t>(count));
   if (count > 0) check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), path_, action);
   std::vector<std::string> texts;
   for (const auto& text : bytes) texts.emplace_back(text.data());
@@ -116,9 +115,10 @@ void FileReader::open_tables() {
                                                 max_health};
   for (const DoubleTable& table : double_tables()) {
     widths_.push_back(columns(info_.channels, table.group).size());
-    if (widths_.back() > capacity[as_size(table.group)])
+    if (widths_.back() > capacity[static_cast<std::size_t>(table.group)])
       throw FileError(path_ + ": table " + table.name + " has " + std::to_string(widths_.back()) +
-                      " columns, allowed is at most " + std::to_string(capacity[as_size(table.group)]));
+                      " columns, allowed is at most " +
+                      std::to_string(capacity[static_cast<std::size_t>(table.group)]));
     doubles_.push_back(widths_.back() == 0 ? Hdf5Object() : open_table(table.name, widths_.back()));
   }
 }
@@ -131,7 +131,7 @@ bool FileReader::next(Row& row) {
 }
 
 void FileReader::read_block() {
-  const auto count = as_size(std::min<std::uint64_t>(block_rows, total_rows_ - read_rows_));
+  const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(block_rows, total_rows_ - read_rows_));
   block_.assign(count, Row{});
   position_ = 0;
   if (count == 0) return;

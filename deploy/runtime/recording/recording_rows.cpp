@@ -3,7 +3,6 @@
 
 #include <filesystem>
 
-#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/recording/csv_rows.h"
 #include "deploy/runtime/recording/part_files.h"
 
@@ -30,7 +29,7 @@ bool RecordingRows::open_following_part() {
 
 std::string RecordingRows::design_hash(const Row& row) const {
   const auto& hashes = reader_->design_hashes();
-  const auto index = as_size(row.a.design);
+  const auto index = static_cast<std::size_t>(row.a.design);
   return row.a.estimates != 0 && index < hashes.size() ? hashes[index] : std::string();
 }
 

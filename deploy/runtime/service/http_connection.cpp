@@ -8,8 +8,6 @@
 #include <array>
 #include <cerrno>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::service {
 
 namespace {
@@ -36,7 +34,7 @@ void HttpConnection::receive() {
     state_ = State::over;
     return;
   }
-  text_.append(buffer.data(), as_size(got));
+  text_.append(buffer.data(), static_cast<std::size_t>(got));
   if (text_.find("\r\n\r\n") != std::string::npos)
     state_ = State::asked;
   else if (text_.size() > longest_head)
@@ -57,7 +55,7 @@ void HttpConnection::answer(std::string text, Clock::time_point end) {
 void HttpConnection::send() {
   const ssize_t sent = ::send(socket_, text_.data() + sent_, text_.size() - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
   if (sent < 0 && would_block()) return;
-  if (sent < 0 || (sent_ += as_size(sent)) == text_.size()) state_ = State::over;
+  if (sent < 0 || (sent_ += static_cast<std::size_t>(sent)) == text_.size()) state_ = State::over;
 }
 
 }  // namespace ehm::service
