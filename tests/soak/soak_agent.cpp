@@ -16,7 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include "deploy/runtime/config/usage_answer.h"
-#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/exit_code.h"
 #include "idl/dds/endpoint.h"
 #include "monitor/realtime/clock.h"
@@ -217,7 +216,7 @@ void serve(Agent& agent) {
     char buffer[4096];
     const ssize_t got = input.revents != 0 ? read(STDIN_FILENO, buffer, sizeof buffer) : -1;
     if (got == 0) return;
-    if (got > 0) pending.append(buffer, as_size(got));
+    if (got > 0) pending.append(buffer, static_cast<std::size_t>(got));
     for (auto end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
       if (!agent.obey(pending.substr(0, end))) return;
       pending.erase(0, end + 1);

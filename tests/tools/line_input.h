@@ -8,8 +8,6 @@
 #include <optional>
 #include <string>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::test {
 
 class LineInput {
@@ -21,7 +19,7 @@ class LineInput {
       char piece[512];
       const ssize_t size = read(STDIN_FILENO, piece, sizeof piece);
       if (size <= 0) ended_ = true;
-      if (size > 0) text_.append(piece, as_size(size));
+      if (size > 0) text_.append(piece, static_cast<std::size_t>(size));
     }
     const std::size_t end = text_.find('\n');
     if (end == std::string::npos) return std::nullopt;

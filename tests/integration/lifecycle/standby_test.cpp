@@ -8,7 +8,6 @@
 #include <random>
 #include <thread>
 
-#include "deploy/runtime/numbers/index.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/redundancy/write_fence.h"
 #include "tests/integration/pair/pair.h"
@@ -71,9 +70,9 @@ class StandbyTest : public PairTest {
   }
   /// Index of the first estimate from `source_id` at or after `from`.
   std::size_t first_of(std::uint32_t source_id, std::size_t from) const {
-    return as_size(std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(from), seen_.end(),
-                                [&](const Seen& s) { return s.health.source_id() == source_id; }) -
-                   seen_.begin());
+    return static_cast<std::size_t>(std::find_if(seen_.begin() + static_cast<std::ptrdiff_t>(from), seen_.end(),
+                                                 [&](const Seen& s) { return s.health.source_id() == source_id; }) -
+                                    seen_.begin());
   }
   std::int64_t gap_before(std::size_t i) const {
     return static_cast<std::int64_t>(seen_[i].health.sequence_number() - seen_[i - 1].health.sequence_number()) - 1;

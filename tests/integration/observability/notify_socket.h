@@ -12,8 +12,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::test {
 
 class NotifySocket {
@@ -47,8 +45,8 @@ class NotifySocket {
       if (left.count() <= 0 || poll(&ready, 1, static_cast<int>(left.count())) != 1) return false;
       char buffer[4096];
       const ssize_t got = recv(socket_, buffer, sizeof buffer, 0);
-      if (got > 0) heard_ += std::string(buffer, as_size(got)) + "\n";
-      if (got > 0 && std::string(buffer, as_size(got)).find(text) != std::string::npos) return true;
+      if (got > 0) heard_ += std::string(buffer, static_cast<std::size_t>(got)) + "\n";
+      if (got > 0 && std::string(buffer, static_cast<std::size_t>(got)).find(text) != std::string::npos) return true;
     }
   }
   /// Everything so far, a message a line.

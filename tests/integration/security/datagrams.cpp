@@ -14,8 +14,6 @@
 #include <array>
 #include <cstring>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::test {
 
 namespace {
@@ -63,7 +61,7 @@ void DatagramRecorder::run() {
     if (size < static_cast<ssize_t>(sizeof ip)) continue;
     std::memcpy(&ip, packet.data(), sizeof ip);
     const std::size_t header = 4u * ip.ihl;
-    if (ip.protocol != IPPROTO_UDP || as_size(size) < header + sizeof udp) continue;
+    if (ip.protocol != IPPROTO_UDP || static_cast<std::size_t>(size) < header + sizeof udp) continue;
     std::memcpy(&udp, packet.data() + header, sizeof udp);
     if (ntohs(udp.dest) < first_port_ || ntohs(udp.dest) >= first_port_ + ports_a_domain) continue;
     Datagram datagram;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace ehm::test {
 
 namespace {
@@ -48,7 +46,7 @@ std::string Viewer::security_event(const std::string& part) const {
 }
 
 std::size_t Viewer::estimates(std::uint32_t engine_id) const {
-  return as_size(
+  return static_cast<std::size_t>(
       std::count_if(health.begin(), health.end(), [&](const auto& h) { return h.engine_id() == engine_id; }));
 }
 

@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "deploy/runtime/config/usage_answer.h"
-#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/exit_code.h"
 #include "deploy/runtime/service/stop_signal.h"
 #include "idl/dds/endpoint.h"
@@ -67,7 +66,7 @@ class Flood {
     for (EngineSensors s; heard_.take(s);)
       if (s.engine_id() == options_.engine && s.source_id() != options_.source_id) latest_ = s;
     const Attack attack = attacks_[random_() % attacks_.size()];
-    ++sent_[as_size(attack)];
+    ++sent_[static_cast<std::size_t>(attack)];
     switch (attack) {
       case Attack::command:
         commands_.write(bad_command(options_.engine, random_));
@@ -87,8 +86,8 @@ class Flood {
     nlohmann::json sent;
     std::uint64_t total = 0;
     for (const auto& known : attack_names()) {
-      sent[known.name] = sent_[as_size(known.attack)];
-      total += sent_[as_size(known.attack)];
+      sent[known.name] = sent_[static_cast<std::size_t>(known.attack)];
+      total += sent_[static_cast<std::size_t>(known.attack)];
     }
     sent["total"] = total;
     return sent.dump();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The schemas of both services: their files, tables and cross checks.
 
-#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/scenario/scenario_file.h"
 #include "monitor/service/config.h"
 #include "tests/unit/deploy/runtime/config/config_file.h"
@@ -102,7 +101,7 @@ mach = 0.78
   EXPECT_DOUBLE_EQ(s.wear[engine_sim::hpc_flow].initial, -0.01);
   EXPECT_DOUBLE_EQ(s.wear[engine_sim::hpc_flow].drift_per_s, -0.001);
   ASSERT_EQ(s.health_changes.size(), 1u);
-  EXPECT_EQ(s.health_changes[0].channel, as_size(engine_sim::lpt_efficiency));
+  EXPECT_EQ(s.health_changes[0].channel, static_cast<std::size_t>(engine_sim::lpt_efficiency));
   ASSERT_EQ(s.faults.size(), 1u);
   EXPECT_EQ(s.faults[0].sensor, 6u);
   EXPECT_EQ(s.faults[0].fault.kind, engine_sim::FaultKind::drift);

@@ -18,7 +18,6 @@
 #include <thread>
 #include <vector>
 
-#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/http_server.h"
 
 namespace {
@@ -88,7 +87,8 @@ std::string answer_to(int port, const std::string& request) {
   const int client = speak(port, request);
   std::string answer;
   char buffer[4096];
-  for (ssize_t got = 0; (got = recv(client, buffer, sizeof buffer, 0)) > 0;) answer.append(buffer, as_size(got));
+  for (ssize_t got = 0; (got = recv(client, buffer, sizeof buffer, 0)) > 0;)
+    answer.append(buffer, static_cast<std::size_t>(got));
   close(client);
   return answer;
 }
