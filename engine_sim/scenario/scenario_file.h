@@ -55,8 +55,8 @@ struct SimConfig {
 
 /// Declares every key of `config`; load the schema, then call finish_config.
 void declare(config::Schema& schema, SimConfig& config);
-/// Checks what no single key can tell: demand kind, rate, order of the profile, what a linear model can fly. `schema` has
-/// loaded `config`.
+/// Checks what no single key can tell: demand kind, rate, order of the profile, what a linear model can fly. `schema`
+/// has loaded `config`.
 void finish_config(SimConfig& config, const config::Schema& schema);
 
 }  // namespace ehm::engine_sim

@@ -4,7 +4,7 @@
 // (identity_ca.pem, cert.pem, key.pem), what it may (permissions_ca.pem, governance.p7s, permissions.p7s), and whose
 // certificate is withdrawn (identity_crl.pem, if there is one).
 //
-// @throws DdsError naming the file that is missing, unreadable, out of time or no match for the others (security_files.h).
+// @throws DdsError naming the file that is missing, unreadable, expired or no match for the others (security_files.h).
 
 #include <fastdds/rtps/common/Property.h>
 
