@@ -6,7 +6,7 @@
 //   [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
 //   [linear] model                              [replay] file, column_map, stamps
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
-//   [sensors] noise, lag, quantisation          [control] limits, bandwidth        [dds] domain, partition, profiles
+//   [sensors] noise, lags, quantisation         [control] hold_limits, speed_bandwidth_rad_s     [dds]      [log] level
 //   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k
 //   [[wear]] parameter, initial, drift_per_hour
 //   [[health_change]] time_s, parameter, change, ramp_s

@@ -64,7 +64,7 @@ struct ParticipantOptions {
   std::function<void(const MiddlewareMessage&)> on_middleware;
 };
 
-/// Nothing if the profiles file that is named, if any, can be loaded and has the profile. @throws DdsError
+/// Does nothing if the named profiles file can be loaded and has the profile, or if none is named. @throws DdsError
 void check_profile(const ParticipantOptions& options);
 
 class DiscoveryListener;

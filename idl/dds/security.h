@@ -16,7 +16,7 @@ namespace ehm::idl {
 /// The properties that switch on authentication (PKI-DH), access control and cryptography (AES-GCM-GMAC).
 std::vector<eprosima::fastrtps::rtps::Property> security_properties(const std::string& directory);
 
-/// Nothing if the directory is complete, or if none is given; throws what security_properties would.
+/// Does nothing if the directory is complete, or if none is given; throws what security_properties would.
 void check_security(const std::string& directory);
 
 }  // namespace ehm::idl

@@ -3,7 +3,7 @@
 // From named variables to a linear model, for every format that may leave things unstated.
 //   sizes   n rows of A, nu columns of B, p columns of L, m rows of C, r rows of F. A, L, C, M must be there; without B
 //           (or with an empty one) no controls, without F no auxiliary outputs; D and G that are missing are zero
-//   time    Ts above 0: discrete; -1: discrete, 0 or missing: continuous, then sample_time_s or the option has to tell it
+//   time    Ts above 0: discrete; -1: discrete, 0 or missing: continuous, then sample_time_s or the option tells it
 //   noise   sensor_noise_sigma or a diagonal R; Q n x n, its diagonal, or one variance for all
 // Names, units and trims: assemble_channels.h.
 

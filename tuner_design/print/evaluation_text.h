@@ -2,7 +2,7 @@
 #pragma once
 // An evaluation as tables for people, one JSON object for scripts, and CSV for figures: all with the same numbers.
 // Errors are squared: health in percent^2, auxiliary outputs in the reporting unit squared. "off by" is
-// (experiment - theory - nonlinear)/standard error.
+// (experiment - theory - linearisation)/standard error.
 
 #include <iosfwd>
 #include <nlohmann/json.hpp>
