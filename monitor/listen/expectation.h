@@ -5,7 +5,7 @@
 //   expected_i = trim_i + (Hu du)_i       spread_i^2 = (H Ph H^T)_ii + R_ii + Lambda_ii + (0.01 size_i)^2
 //
 // H, Hu steady gains of health and actuators (estimation/steady_gain.h), Ph the fleet's health, R one sample's noise,
-// Lambda what the linear model misses; size_i of the trim (scaling.h): the design point itself is uncertain.
+// Lambda what the linear model misses; the last term (size of the trim: scaling.h) is the design point's uncertainty.
 
 #include <Eigen/Core>
 
