@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The turbofan's channels as the wire describes them: those that its engine file names, in that order, with the trims of
-// the new engine. Actuators are the linear model's u.
+// The turbofan's channels as the wire describes them: those that its engine file names, in that order, with the trims
+// of the new engine. Actuators are the linear model's u.
 
 #include "engine_sim/scenario/scenario.h"
 #include "engine_sim/sensors/sensor_suite.h"

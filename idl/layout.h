@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The memory layout of the stream types equals their serialised layout (XCDR1, little endian): Fast DDS then copies
-// them in one piece. The generator decides this from the IDL and misjudges tail padding (deploy/docs/architecture.md, "Why it is as it is"), so it is held
-// here.
+// them in one piece. The generator decides this from the IDL and misjudges tail padding, so it is held here
+// (deploy/docs/architecture.md, "Why it is as it is").
 
 #include <cstddef>
 

@@ -20,7 +20,7 @@ void add_client_options(CLI::App& app, ClientOptions& options);
 /// `program` is the name that other participants see, and begins each line on standard error about peers that cannot
 /// be heard.
 idl::ParticipantOptions participant_options(const ClientOptions& options, const std::string& program);
-/// Nothing if the files that are named can be used. @throws idl::DdsError naming the file
+/// Does nothing if the files that are named can be used. @throws idl::DdsError naming the file
 void check_files(const ClientOptions& options);
 
 }  // namespace ehm::client

@@ -2,8 +2,8 @@
 #pragma once
 // The way of an order to those who read its topic, and of their replies back.
 //
-// Who is to answer: a SimCommand, each simulator that describes the engine; a MonitorCommand, each monitor that does, or
-// every one if it is for all engines. Of them only those can who also write CommandReply: hardware, a replay and
+// Who is to answer: a SimCommand, each simulator that describes the engine; a MonitorCommand, each monitor that does,
+// or every one if it is for all engines. Of them only those can who also write CommandReply: hardware, a replay and
 // programs of an earlier version do not.
 // @throws idl::DdsError where an endpoint cannot be had
 
@@ -39,8 +39,8 @@ class CommandLink {
     wait_set_.attach_condition(descriptions_.condition());
   }
 
-  /// Waits until somebody reads the orders and an addressee is known; for every engine, until somebody reads them. False
-  /// after the time limit.
+  /// Waits until somebody reads the orders and an addressee is known; for every engine, until somebody reads them.
+  /// False after the time limit.
   bool find(double seconds) {
     const auto found = [&] { return readers() > 0 && (engine_id_ == 0 || !addressees_.empty()); };
     if (!await(seconds, found)) return false;
@@ -62,8 +62,8 @@ class CommandLink {
   /// Other engines that somebody described.
   const std::set<std::uint32_t>& other_engines() const { return other_engines_; }
 
-  /// Sends the order under a new request number, and waits until all who can answer have, or for so long; `hear` is told
-  /// of each reply as it comes. @throws std::runtime_error if the middleware does not take the order
+  /// Sends the order under a new request number, and waits until all who can answer have, or for so long; `hear` is
+  /// told of each reply as it comes. @throws std::runtime_error if the middleware does not take the order
   template <class Hear>
   void send(Command command, double seconds, Hear hear) {
     command.request(std::uniform_int_distribution<std::uint32_t>(1)(random_));

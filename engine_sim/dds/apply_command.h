@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// One SimCommand carried out between two samples: what its field may be, whether the engine survives it, and what became
-// of it as the one text that is both logged and answered.
+// One SimCommand carried out between two samples: what its field may be, whether the engine survives it, and what
+// became of it as the one text that is both logged and answered.
 
 #include "engine_health.h"
 #include "engine_sim/simulated_engine.h"

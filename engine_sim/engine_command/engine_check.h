@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Does an engine run? Its file has been read, so that each value by itself can be; here the engine flies:
-//   design point   steady at the stated flight condition, off-take and fuel flow: speeds and unknowns within 2 % of what
-//                  the file states
-//   envelope       flight conditions from the ground to the ceiling, powers from idle to maximum (ratings.h): each has a
-//                  steady point, with every stall margin above zero
+//   design point   steady at the stated flight condition, off-take and fuel flow: speeds and unknowns within 2 % of
+//                  what the file states
+//   envelope       flight conditions from the ground to the ceiling, powers from idle to maximum (ratings.h): each has
+//                  a steady point, with every stall margin above zero
 // Errors: none; what fails is in the result.
 
 #include <string>

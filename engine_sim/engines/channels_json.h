@@ -7,7 +7,7 @@
 //   health      [{name, sigma}]                              1 to 10
 // Names are those of channel_table.h and health_names; their order is the order on the wire (idl/engine_health.idl has
 // room for so many).
-// @throws files::FileError (file, key, value, allowed) for an unknown name, one that stands twice, a number out of range
+// @throws files::FileError (file, key, value, allowed) for an unknown or repeated name, or a number out of range
 
 #include "deploy/runtime/files/json_object.h"
 #include "engine_sim/engines/engine_definition.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What a linear model must be before anything is computed from it. Shapes are in engine_sim/linear_model/linear_model.h.
+// What a linear model must be before anything is computed from it. Shapes: linear_model.h.
 
 #include <string>
 
@@ -10,8 +10,8 @@
 namespace ehm::linear_model {
 
 /// @throws FileError (`file`, key, value, allowed, what to do) if
-///  - a list is empty where it may not be, or over the capacity of engine_sim/linear_model/capacity.h (of `sensor_capacity`:
-///    a list of candidates may be longer than what flies),
+///  - a list is empty where it may not be, or over the capacity of engine_sim/linear_model/capacity.h (of
+///    `sensor_capacity`: a list of candidates may be longer than what flies),
 ///  - a name is empty or occurs twice in its list,
 ///  - a matrix has the wrong shape or an entry that is not finite,
 ///  - sample_time_s, a sigma or a noise_sigma is not above zero,

@@ -4,8 +4,8 @@
 //   states      percent of the trim; where it has no size: as it is
 //   sensors     percent of the trim; where it has no size: as it is if in percent or %, else in its noise sigma
 //   health      percent: `fraction` or `-` times 100, `percent` or `%` as it is
-//   auxiliary   reporting unit: temperature in K (any unit of temperature), margins in points (percent, %, point, points;
-//               fraction, - times 100), gauge pressures as they are, everything else in percent of the trim
+//   auxiliary   reporting unit: temperature in K (any unit of temperature), margins in points (percent, %, point,
+//               points; fraction, - times 100), gauge pressures as they are, everything else in percent of the trim
 //
 // The size of a trim is its magnitude on an absolute scale, |trim| for most units. A temperature's is counted from
 // absolute zero, whatever the zero of its unit: 4 degC is 277.15 K, and one percent of it 2.77 degC. A gauge pressure

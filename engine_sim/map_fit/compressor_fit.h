@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A compressor table fitted with the form of engine_sim/model/maps/compressor_map.h. Three surfaces on (n, R), row-major
-// with one row per speed basis function: phi (lbm/s), psi and efficiency (ratios), and the surge line PRsurge(Wc) from
-// the table's first R-line. Weights and the continuation beyond the table: compressor_table.h; method: fit_surface.h.
+// A compressor table fitted with the form of model/maps/compressor_map.h. Three surfaces on (n, R), row-major with one
+// row per speed basis function: phi (lbm/s), psi and efficiency (ratios), and the surge line PRsurge(Wc) from the
+// table's first R-line. Weights and the continuation beyond the table: compressor_table.h; method: fit_surface.h.
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A turbine table fitted with the form of engine_sim/model/maps/turbine_map.h: surfaces on (speed parameter, PR), row-major
-// with one row per speed basis function. Flow: g = Wp / sqrt(1 - exp(-k (PR - 1))), lbm/s sqrt(R)/psia, with relative
-// errors; efficiency: ratio. All samples count alike. Method: fit_surface.h.
+// A turbine table fitted with the form of engine_sim/model/maps/turbine_map.h: surfaces on (speed parameter, PR),
+// row-major with one row per speed basis function. Flow: g = Wp / sqrt(1 - exp(-k (PR - 1))), lbm/s sqrt(R)/psia, with
+// relative errors; efficiency: ratio. All samples count alike. Method: fit_surface.h.
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The configuration keys that belong to the engine: engine.model, [sensors] and [control]. What is not given is what the
-// engine file says, so that a flight of another engine has that engine's limits and noise; the defaults that are printed
-// are those of the default engine.
+// The configuration keys that belong to the engine: engine.model, [sensors] and [control]. What is not given is what
+// the engine file says, so that a flight of another engine has that engine's limits and noise; the defaults that are
+// printed are those of the default engine.
 
 #include <array>
 #include <string>
@@ -18,8 +18,8 @@ class EngineKeys {
   /// Declares the keys; this and `scenario` must outlive the schema's use.
   void declare(config::Schema& schema, Scenario& scenario);
 
-  /// Puts the engine that engine.model names into the scenario; at the first call only, since tables ask before the end.
-  /// @throws config::ConfigError if there is none of that name, or its file has a defect
+  /// Puts the engine that engine.model names into the scenario; at the first call only, since tables ask before the
+  /// end. @throws config::ConfigError if there is none of that name, or its file has a defect
   void take_engine(Scenario& scenario);
   /// After the load: control and sensors are the engine's but for the keys that were given.
   void finish(const std::vector<std::string>& given, Scenario& scenario) const;

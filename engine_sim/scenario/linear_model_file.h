@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The linear model that engine_sim flies: the file that tuner_design reads and writes (engine_sim/linear_model/model_file.h).
+// The linear model that engine_sim flies: the file that tuner_design reads and writes, linear_model/model_file.h.
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What of a scenario a linear model can fly: wear, changes of health and controls, sensor faults, seed, duration. Flight,
-// demand, control, offtakes and sensors are the model's own, and a key that sets them is refused.
+// What of a scenario a linear model can fly: wear, changes of health and controls, sensor faults, seed, duration.
+// Flight, demand, control, offtakes and sensors are the model's own, and a key that sets them is refused.
 
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 //   [run] sample_time_s, duration_s, seed, rate, lockstep_window, wait_for_monitors
 //   [linear] model                              [replay] file, column_map, stamps
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
-//   [sensors] noise, lag, quantisation          [control] limits, bandwidth        [dds] domain, partition, profiles
+//   [sensors] noise, lags, quantisation         [control] hold_limits, speed_bandwidth_rad_s     [dds]      [log] level
 //   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k
 //   [[wear]] parameter, initial, drift_per_hour
 //   [[health_change]] time_s, parameter, change, ramp_s
@@ -55,8 +55,8 @@ struct SimConfig {
 
 /// Declares every key of `config`; load the schema, then call finish_config.
 void declare(config::Schema& schema, SimConfig& config);
-/// Checks what no single key can tell: demand kind, rate, order of the profile, what a linear model can fly. `schema` has
-/// loaded `config`.
+/// Checks what no single key can tell: demand kind, rate, order of the profile, what a linear model can fly. `schema`
+/// has loaded `config`.
 void finish_config(SimConfig& config, const config::Schema& schema);
 
 }  // namespace ehm::engine_sim

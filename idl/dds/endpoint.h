@@ -2,8 +2,8 @@
 #pragma once
 // Writer<T> and Reader<T>: one topic each, with the delivery of idl/topics.h.
 //
-// Real-time safe: write and take allocate nothing of ours; what the middleware does in them is measured (deploy/docs/architecture.md, "Why it is as it is").
-// Both must be destroyed before their Participant.
+// Real-time safe: write and take allocate nothing of ours; what the middleware does in them is measured
+// (deploy/docs/architecture.md, "Why it is as it is"). Both must be destroyed before their Participant.
 
 #include <algorithm>
 #include <atomic>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // A generated type whose deserialisation refuses what is not of the type, puts right what no sample may bring along
-// (tidy.h), and never throws: the generated code lets
-// some exceptions of malformed messages through, and they would end the service from within the middleware. What is
-// refused is counted where an Intake is given.
+// (tidy.h), and never throws: the generated code lets some exceptions of malformed messages through, and they would end
+// the service from within the middleware.
+// What is refused is counted where an Intake is given.
 
 #include <exception>
 #include <memory>

@@ -2,9 +2,9 @@
 #pragma once
 // A DDS participant of this project and its endpoints, as owners: what is created is deleted, in the right order.
 //
-// The built-in profile is UDP on the loopback and network interfaces without shared memory
-// (deploy/docs/architecture.md, "Why it is as it is"): it re-matches in under 0.1 s after a crash and works between
-// users. Another transport or a discovery server comes from a Fast DDS XML file. Security comes from a directory of certificates, for either profile.
+// The built-in profile is UDP on the loopback and network interfaces, no shared memory (deploy/docs/architecture.md,
+// "Why it is as it is"): it re-matches in under 0.1 s after a crash and works between users. Another transport or a
+// discovery server comes from a Fast DDS XML file, security from a directory of certificates, for either profile.
 //
 // @throws DdsError naming the file, profile, topic or entity that could not be had.
 
@@ -64,7 +64,7 @@ struct ParticipantOptions {
   std::function<void(const MiddlewareMessage&)> on_middleware;
 };
 
-/// Nothing if the profiles file that is named, if any, can be loaded and has the profile. @throws DdsError
+/// Does nothing if the named profiles file can be loaded and has the profile, or if none is named. @throws DdsError
 void check_profile(const ParticipantOptions& options);
 
 class DiscoveryListener;
@@ -86,9 +86,9 @@ class Participant {
   DdsError refused(const char* side, const char* topic) const;
   /// Call it about once a second where on_stranger is given.
   void tell_overdue_strangers();
-  /// Call it at least once a second, from one thread. Not 0, but the length of the hold in seconds, when this process was
-  /// held up for so long that others may have dropped the participant: nothing reaches them any more (hold_watch.h),
-  /// it has to be made anew with all its endpoints. Real-time safe: yes.
+  /// Call it at least once a second, from one thread. Not 0, but the length of the hold in seconds, when this process
+  /// was held up for so long that others may have dropped the participant: nothing reaches them any more
+  /// (hold_watch.h), it has to be made anew with all its endpoints. Real-time safe: yes.
   double held_up_s() noexcept { return hold_watch_->held_up_s(); }
   UnreadablePeers& unreadable() { return *unreadable_; }
   void report_incompatible(const std::string& topic, const char* side, std::uint32_t policy) const;

@@ -3,7 +3,7 @@
 // The project's delivery classes as DDS policies, one place for both services, the demo and the examples.
 //
 // Streams are reliable and keep last; a reader that falls further behind than the depth loses the oldest, and sees it
-// by the gap in sequence_number. Ownership is shared unless redundancy is asked for (deploy/docs/architecture.md, "Fixed contracts").
+// by the gap in sequence_number. Ownership is shared unless redundancy is asked for (architecture.md, Fixed contracts).
 
 #include <fastdds/rtps/common/InstanceHandle.h>
 #include <cstdint>

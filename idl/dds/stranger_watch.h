@@ -4,9 +4,9 @@
 //
 // The middleware reports a failed proof by GUID only, and nothing at all where it is the stranger who breaks off the
 // handshake. So name and address are kept from the announcement, and who has proven nothing within `patience` is told
-// of too. A handshake between two that may trust each other can hang as well (Fast DDS 2.9.1 gives up on a step that has
-// failed once, and never tries again until one of the two is a new participant): who joins looks whether it gets through,
-// and else joins anew (Participant). At most `capacity` participants are remembered: a flood of announcements cannot make us grow.
+// of too. A handshake between two that may trust each other can hang as well (Fast DDS 2.9.1 gives up on a step that
+// has failed once, and never tries again until one of the two is a new participant): who joins looks whether it gets
+// through, and else joins anew (Participant). At most `capacity` participants are remembered, however many come.
 
 #include <array>
 #include <chrono>

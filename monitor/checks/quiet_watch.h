@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Is a sensor frozen though its values still differ? A word whose last bits toggle, or that a converter dithers, defeats
-// the search for equal values (stuck_watch.h); but it has lost its noise. Told by the range of its values,
+// Is a sensor frozen though its values still differ? A word whose last bits toggle, or that a converter dithers,
+// defeats the search for equal values (stuck_watch.h); but it has lost its noise. Told by the range of its values,
 //
 //   r = max - min over a window of 64 values
 //

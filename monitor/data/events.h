@@ -21,7 +21,7 @@ struct Event {
   bool raised = false;
   double value = 0.0;
   double threshold = 0.0;
-  std::uint32_t detail = 0;  ///< sensor_fault: idl::reject_reason bits; condition_fault: 0 moved, 1 lost
+  std::uint32_t detail = 0;  ///< by kind; sensor_fault: idl::reject_reason bits; condition_fault: 0 moved, 1 lost
   double age_s = 0.0;        ///< how long before this sample it began; 0 where nobody knows
 };
 

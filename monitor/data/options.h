@@ -89,7 +89,7 @@ struct CycleOptions {
   FleetOptions fleet;
   std::vector<LimitOptions> limits;
   std::vector<SensorOptions> sensors;
-  double stale_periods = 3.0;
+  double stale_periods = 3.0;  ///< sample times without input, after which it counts as lost
   friend bool operator==(const CycleOptions&, const CycleOptions&) = default;
 };
 

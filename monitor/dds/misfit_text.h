@@ -8,7 +8,7 @@
 
 namespace ehm::monitor {
 
-/// "sensor 3 is T30 in degC by KIND, T24 in K by the design: ...". `what`: sensor or actuator.
+/// "sensor 3 is T30 in degC by KIND, T24 in K by the design: ...". `what`: sensor or actuator; `by`: who says so.
 std::string misfit_text(const std::string& what, std::size_t i, const ChannelWords& said, const std::string& by,
                         const std::vector<linear_model::Channel>& channels, Misfit misfit);
 

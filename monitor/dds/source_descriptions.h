@@ -4,9 +4,9 @@
 // the design that flies (checks/source_fit.h).
 //
 // A description travels beside the samples and may come after the first of them. A source whose participant has a
-// writer of descriptions is therefore waited for, once, for 50 ms at most (waiting_room.h): no sample is used before its
-// units are known. Sources that describe nothing are not waited for; their units are taken as the design's. Only the
-// participant that sends the samples describes them: what others say under the same source_id is not heard.
+// writer of descriptions is therefore waited for, once, for 50 ms at most (waiting_room.h): no sample is used before
+// its units are known. Sources that describe nothing are not waited for; their units are taken as the design's. Only
+// the participant that sends the samples describes them: what others say under the same source_id is not heard.
 //
 // Real-time safe: yes, but for a source's first description, which allocates its place, and the first sample of an
 // engine or writer, which takes a lock.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Samples that wait for what their source says of its channels (source_descriptions.h), while those of all others go on:
-// whoever is not known yet must not hold anybody up.
+// Samples that wait for what their source says of its channels (source_descriptions.h), while those of all others go
+// on: whoever is not known yet must not hold anybody up.
 //
-// In the order of their arrival; of one writer and engine none overtakes another. Who finds no room lets all that wait go
-// first: nothing is dropped or overtaken, some are used before their source has spoken.
+// In the order of their arrival; of one writer and engine none overtakes another. Who finds no room lets all that wait
+// go first: nothing is dropped or overtaken, some are used before their source has spoken.
 // Real-time safe: yes, after construction.
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// How the steady-state filter of one set of sensors forgets, and where it settles (theory.md, section 4). With xq = [x; q]:
+// How the steady-state filter of one set of sensors forgets, and where it settles (theory.md, section 4). xq = [x; q]:
 //
 //   xq+[k] = Acl xq+[k-1] + K y[k] + ...,   Acl = (I - K C) A
 //   constant drive d a sample:               xq+ -> (I - Acl)^-1 d

@@ -2,9 +2,9 @@
 #pragma once
 // A finished tuner design: the model, how it was scaled, one filter per sensor set, and how good it is.
 //
-// All matrices of a SubsetDesign are in scaled units (engine_sim/linear_model/scaling.h): states and sensors in percent of
-// trim, health in percent, auxiliary outputs in their reporting unit, controls in channel units. make_filter turns them
-// into the filter that flies, in channel units. n states, m sensors, p health, r auxiliary, t tuners.
+// All matrices of a SubsetDesign are in scaled units (engine_sim/linear_model/scaling.h): states and sensors in percent
+// of trim, health in percent, auxiliary outputs in their reporting unit, controls in channel units. make_filter turns
+// them into the filter that flies, in channel units. n states, m sensors, p health, r auxiliary, t tuners.
 // Source: Simon & Garg, NASA/TM-2010-216077, eqs. 5-8, 15-17; the error theory is theory.md, section 4.
 
 #include <Eigen/Core>

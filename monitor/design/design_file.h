@@ -11,9 +11,9 @@ namespace ehm::design {
 
 inline constexpr const char* design_schema = "ehm-design/3";
 
-/// @throws FileError (one message: file, key, value, allowed, what to do) if the file is absent, not JSON, truncated,
-/// of another
-///         schema, changed by hand (hash), or if a matrix has the wrong shape or a gain is unstable.
+/// @throws FileError (one message: file, key, value, allowed, what to do)
+///         if the file is absent, not JSON, truncated, of another schema or changed by hand (hash),
+///         or if a matrix has the wrong shape or a gain is unstable.
 Design read_design(const std::string& path);
 
 /// Writes to a temporary file beside `path` and renames it, so that a reader sees the old file or the new one.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// From a design's linear model to the estimators on all n + p states. They use its model, noise and scaling, and none of
-// its tuners.
+// From a design's linear model to the estimators on all n + p states. They use its model, noise and scaling, and none
+// of its tuners.
 
 #include <memory>
 

@@ -15,13 +15,13 @@
 //   S = Cxq Axq Sx Axq^T Cxq^T + C Q C^T + R,   Sx = Acl Sx Acl^T + K R K^T + (I - K Cxq) Qw (I - K Cxq)^T
 //
 // (Q the engine's process noise, Qw = blkdiag(Q, 0): error_propagation.h) below the filter's own, which believes in
-// moving health. They are slightly coloured: negatively, since the filter
-// takes up some noise and gives it back (lag one: -0.01 to -0.09 at Qh 1e-3). Sums over them scatter less than white
-// ones do, so that thresholds for white noise hold. A set with fewer tuners than sensors cannot follow every steady
-// value: its innovations have a constant mean over the fleet, (I - Cxq Axq (I - Acl)^-1 K) [H Ph^1/2, Lambda^1/2], which is
-// no fault; B are its directions, where it exceeds 0.05 of the noise. Probes of one quantity have none between them:
-// where they disagree one of them is biased. S^-1 stands without them: S^-1 - S^-1 B (B^T S^-1 B)^-1 B^T S^-1. Scaled units (percent). Source: Willsky &
-// Jones, IEEE Trans. AC-21 (1976) 108; Basseville & Nikiforov, Detection of Abrupt Changes, ch. 7.
+// moving health. They are slightly coloured, negatively, since the filter takes up some noise and gives it back (lag
+// one: -0.01 to -0.09 at Qh 1e-3): their sums scatter less than white ones do, and thresholds for white noise hold.
+// A set with fewer tuners than sensors cannot follow every steady value. Its innovations have a constant mean over the
+// fleet, (I - Cxq Axq (I - Acl)^-1 K) [H Ph^1/2, Lambda^1/2] with Lambda the linearisation error, which is no fault; B
+// are its directions where it exceeds 0.05 of the noise, none between probes of one quantity: where these disagree one
+// is biased. S^-1 stands without them: S^-1 - S^-1 B (B^T S^-1 B)^-1 B^T S^-1. Scaled units (percent). Source: Willsky
+// & Jones, IEEE Trans. AC-21 (1976) 108; Basseville & Nikiforov, Detection of Abrupt Changes, ch. 7.
 
 #include <Eigen/Core>
 #include <memory>

@@ -16,7 +16,7 @@
 //
 // The errors of prior and nonlinearity were measured over the fleet; beyond it the first grows as d, the second as d^2,
 // and e tells by how much (ErrorPropagation::widen; tuner_design evaluate --wear measures it). Raised after
-// persistence_s in a row, ended below 0.8 of it:
+// persistence_s in a row, ended below 0.8 of the limit:
 //   implausible      z_i above warn_sigma
 //   unlikely_engine  d above the chi-square's root with the tail of warn_sigma; it names the sensors with y_i above 4
 //   withheld         either farther out by withhold_sigma / warn_sigma: no estimate is published
@@ -58,7 +58,7 @@ using FleetTables = std::vector<std::optional<FleetTable>>;
 /// `error` as make_error_model makes it of the same subset.
 FleetTable fleet_table(const design::Design& design, const design::SubsetDesign& subset,
                        const estimation::ErrorModel& error);
-/// What the judges of all engines of one design share. `error_models` as FleetTables.
+/// What the watches of all engines of one design share. `error_models` as FleetTables.
 std::shared_ptr<const FleetTables> fleet_tables(const design::Design& design,
                                                 const std::vector<estimation::ErrorModel>& error_models);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Quantiles behind the thresholds of the judges. Not on the cycle path: called at construction.
+// Quantiles behind the thresholds of the detectors. Not on the cycle path: called at construction.
 //
 //   normal_quantile_above(p)     z with P(N > z) = p, by bisection of the complementary error function
 //   chi_square_quantile(k, z)    the value that a chi-square with k degrees of freedom exceeds as often as N exceeds z;
-//                                Wilson and Hilferty's cube root: k (1 - 2/(9k) + z sqrt(2/(9k)))^3. k may be broken.
+//                                Wilson and Hilferty's cube root: k (1 - 2/(9k) + z sqrt(2/(9k)))^3. k: any number.
 // Errors: none; p in (0, 1), k above 0.
 
 #include <cmath>

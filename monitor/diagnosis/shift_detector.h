@@ -41,7 +41,7 @@ struct ShiftStatistic {
 /// [0] full set, [1 + i] without sensor i, empty where no design flies so.
 using ShiftTables = std::vector<std::optional<ShiftStatistic>>;
 
-/// What the detectors of all engines of one design share. @throws std::invalid_argument if S_q is not positive definite.
+/// What the detectors of all engines of one design share. @throws std::invalid_argument if S_q is not definite.
 std::shared_ptr<const ShiftTables> shift_tables(const design::Design& design);
 
 class ShiftDetector {

@@ -44,7 +44,7 @@ struct SlowBiasTable {
   std::int64_t persistence_samples = 0;
 };
 
-/// What the judges of all engines of one design share.
+/// What the detectors of all engines of one design share.
 std::shared_ptr<const SlowBiasTable> slow_bias_table(const design::Design& design);
 
 class SlowBias {

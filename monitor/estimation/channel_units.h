@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Between the channels' units and the scaled deviations (engine_sim/linear_model/scaling.h) that a filter computes with:
+// Between the channels' units and the scaled deviations (engine_sim/linear_model/scaling.h) a filter computes with:
 //   y = (sensor - trim) / scale,   u = actuator - trim,   health = trim + scale h,   sigma = scale sigma_h
 // Real-time safe: yes, all of it.
 

@@ -10,12 +10,12 @@
 // with Acl = (I - K C) A, dx the engine's own motion about its balance, dx[k+1] = A dx[k] + w, cov(w) = Q, and
 // Qw = blkdiag(Q, 0). The published standard deviations are the roots of the diagonals of
 //   (Th M - Gh)(..)^T + Th S Th^T    and    (Tz M - Gz)(..)^T + Tz S Tz^T.
-// For an engine far outside the fleet the parts that were measured over the fleet grow (diagnosis/fleet_watch.h): with the
-// excess e the columns of M - G of the health by e^1/2, those of the nonlinearity, which grows with the square of the
-// health, by e. e = 1 within the fleet.
+// For an engine far outside the fleet the parts that were measured over the fleet grow (diagnosis/fleet_watch.h): with
+// the excess e the columns of M - G of the health by e^1/2, those of the nonlinearity, which grows with the square of
+// the health, by e. e = 1 within the fleet.
 // M_0 = 0 and S_0 = blkdiag(cov(dx), 0) for a cold start, with the stationary cov(dx) = A cov(dx) A^T + Q: the engine
-// has run before the monitor looks at it, and the first sigma is the prior's. The limit k -> infinity is theory.md, section 4 (the number stands on the next line)
-// section 4.
+// has run before the monitor looks at it, and the first sigma is the prior's. The limit k -> infinity is that of
+// theory.md, section 4.
 // The innovation of the next sample then has the variance
 //   diag[(C A M - Gy)(..)^T + C A S (C A)^T + C Qw C^T + R],
 // far above the settled one at a cold start: the innovation gate asks for it, so as not to reject a worn engine.
@@ -42,7 +42,7 @@ struct ErrorModel {
   BoundedMatrix<max_auxiliary, max_unknowns> auxiliary_truth;    ///< Gz
   BoundedMatrix<max_sensors, max_unknowns> sensor_truth;         ///< Gy, every sensor
   SensorVector innovation_noise;                                 ///< diagonal of C Qw C^T + R
-  HealthVector health_scale;                                     ///< channel units per linear_model::scaled unit
+  HealthVector health_scale;                                     ///< channel units per scaled unit
   AuxiliaryVector auxiliary_scale;
   SensorVector sensor_scale;
   int settling_samples = 0;  ///< seven of the slowest time constants: 0.1 % is left

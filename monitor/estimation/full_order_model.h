@@ -4,8 +4,8 @@
 //
 //   x[k+1] = A x + B u + L h + w      y = [C M] [x; h] + D u + v      z = [F N] [x; h] + G u
 //
-// (linear_model.h; theory.md, section 8  (drop the quoted subtitle; section 8 is "Filters on all n + p states"), "Full-order alternative"). Discrete time, deviations from trim. The units are
-// those of the LinearModel it is made of; covariances are well conditioned in scaled units (scaling.h). Fixed capacity.
+// (linear_model.h; theory.md, section 8). Discrete time, deviations from trim. The units are those of the LinearModel
+// it is made of; covariances are well conditioned in scaled units (scaling.h). Fixed capacity.
 
 #include "engine_sim/linear_model/linear_model.h"
 #include "monitor/estimation/capacity.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The steady-state Kalman filter on all n + p states, health as a Gauss-Markov process that fades towards the fleet's
-// mean (theory.md, section 8  (drop the quoted subtitle; section 8 is "Filters on all n + p states"), "Full-order alternative"):
+// mean (theory.md, section 8):
 //
 //   model     h[k+1] = rho h[k] + w,  0 < rho < 1,  cov(w) = (1 - rho^2) Ph, so that h has the covariance Ph for ever
 //   predict   xpred = A x + B u + L h,  hpred = rho h

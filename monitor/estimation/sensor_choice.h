@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Which design of an estimator serves the sensors that are available, where it has one for all and one for all but each.
+// Which design of an estimator serves the sensors that are available, where it has one for all, and one without each.
 
 #include "deploy/runtime/numbers/index.h"
 #include "monitor/estimation/capacity.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The time-varying Kalman filter on all n + p states, h constant: no linear estimator knows more after the same samples
-// (theory.md, section 8  (drop the quoted subtitle; section 8 is "Filters on all n + p states"): "the limit for N samples").
+// (theory.md, section 8): it is the limit for N samples.
 //
 //   start     xhat = 0, P = [X; I] Ph [X; I]^T: a settled engine of the fleet, X = (I-A)^-1 L. The state is then as
 //             uncertain as the health that moved it, and fully correlated with it: the first sample gives full MAP.

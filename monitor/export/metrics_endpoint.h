@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// GET /metrics, /health and /ready over HTTP, on a thread of its own (deploy/runtime/service/http_server.h). An address that is
-// taken is said with its remedy, and the monitor flies without: what it estimates matters more than who counts it.
+// GET /metrics, /health and /ready over HTTP, on a thread of its own (http_server.h). An address that is taken is said
+// with its remedy, and the monitor flies without: what it estimates matters more than who counts it.
 
 #include <atomic>
 #include <cstdint>

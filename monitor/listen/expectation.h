@@ -2,10 +2,10 @@
 #pragma once
 // What the design expects of each sensor of a healthy fleet in steady state, with the actuators where they are:
 //
-//   expected_i = trim_i + (Hu du)_i       spread_i^2 = (H Ph H^T)_ii + R_ii + Lambda_ii + (0.01 trim_i)^2
+//   expected_i = trim_i + (Hu du)_i       spread_i^2 = (H Ph H^T)_ii + R_ii + Lambda_ii + (0.01 size_i)^2
 //
 // H, Hu steady gains of health and actuators (estimation/steady_gain.h), Ph the fleet's health, R one sample's noise,
-// Lambda what the linear model misses; the last term stands for what the design point itself is uncertain by.
+// Lambda what the linear model misses; the last term (size of the trim: scaling.h) is the design point's uncertainty.
 
 #include <Eigen/Core>
 

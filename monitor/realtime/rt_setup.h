@@ -45,7 +45,7 @@ class RealtimeThread {
 };
 
 /// While it lives, threads that the caller makes inherit the policy: DDS offers no other way to its own. Does nothing
-/// without middleware_threads, and where the system refuses; set_up_realtime says so then.
+/// without middleware_threads, and where the system refuses; RealtimeThread warns of it then.
 class MiddlewarePolicy {
  public:
   explicit MiddlewarePolicy(const RealtimeOptions& options);

@@ -40,7 +40,7 @@ class CycleThread {
   CycleThread(idl::Participant& participant, const MonitorConfig& config, EngineTable& engines,
               const CycleLinks& links);
 
-  /// Waits for input for one period at most, and handles what has come. Call until the service stops.
+  /// Waits for input, 15 ms at most, and handles what has come. Call until the service stops.
   void run_once();
   /// Ends in order: leaves every engine between two of its samples, tells its subscribers, keeps a last checkpoint.
   void stop();

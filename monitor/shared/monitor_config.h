@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Everything that configures the monitor, as plain values; config.h gives each its key, range and description.
+// Everything that configures the monitor, as plain values; service/config.h gives each its key, range and description.
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The command line of tuner_design; `--help` lists the commands. Exit codes:
-//   0 done    1 the data are wrong or a computation failed, the reason is on `err`    2 the command line is wrong
+//   0 done    1 a computation failed    2 the command line or an input file is wrong; the reason is on `err`
 
 #include <iosfwd>
 

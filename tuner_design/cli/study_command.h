@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// `tuner_design study NAME`: the tables of the papers on our engine, or on a model of the user's.
+// `tuner_design study NAME`: the tables of the papers, on our engine or a user's model; the studies of fault detection.
 
 #include "tuner_design/cli/command.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The tuners V* of one sensor set, for one operating point or for an envelope of several.
-//   closed form   V = T H Ph: the bias of the filter is least when range(W) = range(Ph H^T), for health and
-//                 every linear auxiliary output at once (theory.md, section 5).
-//                 T is chosen so that V has orthonormal rows. It is the
+//   closed form   V = T H Ph, T such that V has orthonormal rows: the bias of the filter is least when range(W) =
+//                 range(Ph H^T), for health and every linear auxiliary output at once (theory.md, section 5). It is the
 //                 best there is where the filter averages endlessly and one point is all; else it is the first start of
+//                 the search.
 //   the search    tuner_search.h: finite response time, several points, weights, linearisation error
 // With as many tuners as health parameters nothing has to be chosen: V = I.
 

@@ -34,8 +34,8 @@ struct StudyEngine {
   std::shared_ptr<const engine_sim::EngineDefinition> engine;
 };
 
-/// @throws std::invalid_argument if the design is for another engine (engine_match.h), or has other sensors, controls or
-///         health parameters than it (names them).
+/// @throws std::invalid_argument if the design is for another engine (engine_match.h), or has other sensors, controls
+///         or health parameters than it (names them).
 StudyEngine study_engine(const design::Design& design, std::shared_ptr<const engine_sim::EngineDefinition> engine);
 
 /// The same seed and index give the same flight. Callable by several threads at once.

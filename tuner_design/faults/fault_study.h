@@ -40,10 +40,10 @@ struct FaultStudy {
   double fault_free_hours = 0.0;
   std::size_t false_alarms = 0;  ///< within them
   double largest_step_sigmas = 0.0;
-  // The figures that were asked for; shares from 0 to 1.
-  double found = 0.0;                 ///< bias of 5 sigma, within 3 s
-  double right_sensor = 0.0;          ///< bias of 5 sigma
-  double ambiguous_of_rest = 0.0;     ///< of those neither right
+  // The figures of the whole study; shares from 0 to 1.
+  double found = 0.0;                 ///< of biases of 5 sigma, within 3 s
+  double right_sensor = 0.0;          ///< of biases of 5 sigma, the biased sensor named
+  double ambiguous_of_rest = 0.0;     ///< of the biases of 5 sigma that were not named rightly
   double component_not_sensor = 0.0;  ///< component steps not called a sensor fault
 };
 

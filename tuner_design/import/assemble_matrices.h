@@ -10,7 +10,7 @@ namespace ehm::tuner_design {
 
 /// Fills A to N of `result`; D and G that are missing become zero, which is told.
 /// @throws files::FileError if A, L, C or M is missing, F without N or N without F, or a shape does not fit the
-/// others.
+///         others.
 void assemble_matrices(const Variables& given, ImportedModel& result);
 
 }  // namespace ehm::tuner_design

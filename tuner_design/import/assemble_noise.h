@@ -19,7 +19,7 @@ namespace ehm::tuner_design {
 ///         diagonal, Q is not symmetric, something is stated twice, or cannot be assumed for want of a trim.
 void assemble_noise(const Variables& given, const ImportOptions& options, ImportedModel& result);
 
-/// Nothing that the user says is silently without effect.
+/// @throws files::FileError: what is `stated` and the `option` say the same thing, and one would have no effect.
 [[noreturn]] void refuse_option(const Variables& given, const std::string& stated, const std::string& option);
 
 }  // namespace ehm::tuner_design

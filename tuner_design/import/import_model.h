@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A linear model from whatever a user has: our own JSON (engine_sim/linear_model/model_file.h), a MATLAB v5 file (mat_file.h),
-// or a folder of CSV files (csv_folder.h). The last two may leave things unstated; what was assumed then is told.
+// A linear model from whatever a user has: our own JSON (linear_model/model_file.h), a MATLAB v5 file
+// (mat_file.h), or a folder of CSV files (csv_folder.h). The last two may leave things unstated; assumptions are told.
 
 #include <optional>
 #include <string>

@@ -3,9 +3,9 @@
 // The outer form of a MATLAB v5 file: a header of 128 bytes (text, version 0x0100, "IM" or "MI" for the order of
 // bytes), then elements {type u32, size u32, data}: miMATRIX (14), or miCOMPRESSED (15), a deflated miMATRIX.
 //
-// What libmatio then reads is an image of it: inflated, and checked for sizes that the file does not hold, for which it
-// would allocate and search for minutes. It has no objects (mat_object.h). (Compressed texts that libmatio 1.5.23 has written claim more bytes than they
-// have, and are refused as damaged.)
+// What libmatio then reads is an image of it: inflated, without objects (mat_object.h), and checked for sizes that the
+// file does not hold, for which it would allocate and search for minutes. Compressed texts that libmatio 1.5.23 has
+// written claim more bytes than they have, and are refused as damaged.
 // Source: MathWorks, MAT-File Format, chapter 1, "Level 5 MAT-File Format".
 
 #include <cstddef>

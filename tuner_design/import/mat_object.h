@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Objects in a MATLAB v5 file: strings in double quotes, tables, ss, timeseries and whatever else has a class. What they
-// hold lies apart, in a form that no document describes; libmatio takes them for something else, and their name for
-// "MCOS". So they are found here, by the name and class that their own element states, and kept from it.
+// Objects in a MATLAB v5 file: strings in double quotes, tables, ss, timeseries and whatever else has a class. What
+// they hold lies apart, in a form that no document describes; libmatio takes them for something else, and their name
+// for "MCOS". So they are found here, by the name and class that their own element states, and kept from it.
 
 #include <optional>
 #include <string>

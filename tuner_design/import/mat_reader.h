@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The inner form of a MATLAB v5 array: elements {type u32, size u32, data padded to 8 bytes}, or up to four bytes of data
-// in one word {size u16, type u16, data}. An array is its flags {class, ...}, dimensions, name, then what its class has;
-// an object of a newer class (opaque) has no dimensions: flags, name, "MCOS", name of its class, and a reference.
+// The inner form of a MATLAB v5 array: elements {type u32, size u32, data padded to 8 bytes}, or, with at most four
+// bytes of data, {type and size in one u32, data}. An array is its flags {class, ...}, dimensions, name, then what its
+// class has; an object of a newer class (opaque) has none: flags, name, "MCOS", name of its class, a reference.
 // Source: MathWorks, MAT-File Format, chapter 1; objects as files have them, since no document describes them.
 
 #include <cstdint>

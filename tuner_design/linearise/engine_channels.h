@@ -36,7 +36,7 @@ struct EngineLayout {
   Eigen::Index auxiliary() const { return sensors() + sensor_count(); }
   Eigen::Index outputs() const { return auxiliary() + auxiliary_count(); }
 
-  /// Positions in v of what the balance of the states settles at a held fan speed: all states but N1, and the fuel flow.
+  /// Positions in v of what the balance of the states settles at a held fan speed: states but N1, and the fuel flow.
   std::vector<Eigen::Index> settled_inputs() const;
 };
 

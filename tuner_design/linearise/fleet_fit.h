@@ -2,7 +2,7 @@
 #pragma once
 // The linear model that serves a whole fleet best, and what it still misses.
 //
-// Engines with h ~ N(0, sigma^2), sigma of the engine file, run in steady state at the trim's fan speed, v and f of engine_channels.h:
+// Engines with h ~ N(0, sigma^2), sigma of the engine file, run at the trim's fan speed (v and f: engine_channels.h):
 //   states and controls   J_xu: derivative at each engine, averaged over the fleet
 //   health                f(v) - J_xu (v - v0)_xu ~ f0 + J_h (h - h0)      least squares over the fleet
 // In two steps, because in steady state core speed and fuel flow follow health: one fit of all columns would hand them

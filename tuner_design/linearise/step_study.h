@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Tangent of the nonlinear engine at a steady point by central differences (Endurthi thesis ch. 4, perturbation
-// method):
-//   df/dv_j = ( f(v + s e_j) - f(v - s e_j) ) / 2 s
-// and forward to second order where an input cannot be less (bleed valves that are shut), (-3 f(v) + 4 f(v + s e_j) - f(v + 2 s e_j)) / 2
-// s. The step is relative to trim for speeds and fuel, absolute for health, one for all columns: the truncation error
+// Tangent of the nonlinear engine at a steady point (Endurthi thesis ch. 4, perturbation method):
+//   central    df/dv_j = ( f(v + s e_j) - f(v - s e_j) ) / 2 s
+//   forward    df/dv_j = (-3 f(v) + 4 f(v + s e_j) - f(v + 2 s e_j)) / 2 s     where an input cannot be less (bleed
+//              valves that are shut), of second order too
+// The step is relative to trim for speeds and fuel, absolute for health, one for all columns: the truncation error
 // falls with s^2, the round-off error of the flow balance grows with 1/s, and the study takes the s between whose
 // neighbours the scaled derivatives change least.
 

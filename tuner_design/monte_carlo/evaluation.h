@@ -5,9 +5,9 @@
 // operating point. Estimators: the monitor's own filter (kalman_experiment.h) and MAP on one noisy snapshot
 // (map_experiment.h).
 //
-// Squared errors are health in percent^2 and auxiliary outputs in reporting units^2 (engine_sim/linear_model/scaling.h), as
-// in design::Design. The independent unit is the engine: standard error = standard deviation over engines / sqrt(n).
-// The same seed gives the same bytes on any number of threads.
+// Squared errors are health in percent^2 and auxiliary outputs in reporting units^2
+// (engine_sim/linear_model/scaling.h), as in design::Design. The independent unit is the engine: standard error =
+// standard deviation over engines / sqrt(n). The same seed gives the same bytes on any number of threads.
 
 #include <cstddef>
 #include <cstdint>

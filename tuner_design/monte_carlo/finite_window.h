@@ -4,8 +4,8 @@
 // cold (theory.md, section 4; [SG] leaves the theoretical error as future work).
 //
 // The engine has constant health and moves by dx about its balance, driven by w with the model's covariance Q, or stays
-// in it without process noise; it has done so before the first sample. With Acl = Axq - K C Axq, Qw = blkdiag(Q, 0), and
-// xhat = 0 before the first sample:
+// in it without process noise; it has done so before the first sample. With Acl = Axq - K C Axq, Qw = blkdiag(Q, 0),
+// and xhat = 0 before the first sample:
 //   mean      M <- Acl M + K H                                     E[xhat] = M h
 //   offset    O <- Acl O + K                                       answer to a constant sensor offset
 //   spread    S <- Acl S Acl^T + K R K^T + (I - K Cxq) Qw (I - K Cxq)^T     of xhat - [dx; 0] about its mean;

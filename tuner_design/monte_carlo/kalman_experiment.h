@@ -3,7 +3,7 @@
 // The monitor's own filter, flown cold on many engines with constant health, beside the theory of the same window.
 //
 //   engine i   h ~ N(0, wear^2 Ph), constant u, which the filter knows; it moves by dx about its balance y(h), z(h):
-//              y[k] = y(h) + c dx[k] + v[k],   z[k] = z(h) + F dx[k],   dx[k+1] = A dx[k] + w[k],   cov(w) = Q
+//              y[k] = y(h) + C dx[k] + v[k],   z[k] = z(h) + F dx[k],   dx[k+1] = A dx[k] + w[k],   cov(w) = Q
 //              dx is stationary from the first sample on, or 0 without process noise. The nonlinear engine's motion is
 //              that of the design's linear model too: it is small against the fleet's spread
 //   error      of h and z, squared, averaged over the window, then over the engines

@@ -3,10 +3,10 @@
 // Minimises J over row spaces, for one or several operating points with one V (an envelope):
 //   J(V) = sum_i weight_i J_i(V) / sum_i weight_i          J_i: kalman_objective.h or map_objective.h
 // NLopt's LD_LBFGS in the coordinates of a chart (row_space.h); the chart is centred anew on the best point after some
-// 40 evaluations, until the gradient vanishes or nothing improves; a blind tuner is then
-// replaced (blind_tuner.h), and the descent goes on. From each start: the given ones and `random_starts`
-// seeded random row spaces; starts are independent, so that the result is the same on any number of threads. The
-// Hessian at the best point, by differences of gradients, tells a minimum from a saddle and what could still be gained.
+// 40 evaluations, until the gradient vanishes or nothing improves; a blind tuner is then replaced (blind_tuner.h), and
+// the descent goes on. Starts: the given ones and `random_starts` seeded random row spaces; they are independent, so
+// that the result is the same on any number of threads. The Hessian at the best point, by differences of gradients,
+// tells a minimum from a saddle and what could still be gained.
 // Source: theory.md, sections 5, 6, 10.
 
 #include <cstdint>

@@ -3,9 +3,9 @@
 // What a set of sensors is worth: the published error of the filter that would fly with it.
 //
 // The Kalman filter that `design` makes of these sensors alone at the given Qh with the closed form V_S = H_S Ph
-// (closed_form_filter): the same number of tuners, the same error. Error: the
-// totals of kalman_error.h, the linearisation error included where the model knows it. Figure of merit: J of
-// relative_error.h with the limits of ALL candidates, so that every set is measured with the same yardstick.
+// (closed_form_filter), with as many tuners. Error: the totals of kalman_error.h, the linearisation error included
+// where the model knows it. Figure of merit: J of relative_error.h with the limits of ALL candidates, so that every
+// set is measured with the same yardstick.
 // Candidates may be more than a design can hold: 20. A set is a bit mask, bit i for sensor i of the model.
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Health of an engine after 3000 of 6000 cycles, fractions of nominal, in the order of engine_sim::health_names: the trim at
-// which Simon & Garg linearise ("fleet average, 50 percent deteriorated").
+// Health of an engine after 3000 of 6000 cycles, fractions of nominal, in the order of engine_sim::health_names: the
+// trim at which Simon & Garg linearise ("fleet average, 50 percent deteriorated").
 // Source: Chatterjee & Litt's wear table for fan, LPC and turbines; for the HPC, whose wear Lu et al. (Energies 2013,
 // table 2) give at 6000 cycles only, -2.0 and -2.5 %.
 

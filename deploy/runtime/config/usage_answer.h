@@ -12,8 +12,8 @@
 
 namespace ehm::config {
 
-/// Answers what `app` has thrown while it parsed: --help and the like on `out`, an error on `err`. Returns the exit code,
-/// 0 or 2. The first word that nobody knows comes before all other errors, such as the option that it should have been.
+/// Answers what `app` has thrown while it parsed: --help and the like on `out`, an error on `err`. Returns 0 or 2, the
+/// exit code. The first word that nobody knows comes before all other errors, such as the option that it should be.
 int usage_answer(const CLI::App& app, const CLI::ParseError& error, std::ostream& out, std::ostream& err);
 /// The same on standard output and standard error.
 int usage_answer(const CLI::App& app, const CLI::ParseError& error);

@@ -3,8 +3,8 @@
 // Replaces a file as a whole: a reader sees the old content or the new one, never a part.
 // The content goes to a temporary file beside the target, which commit() flushes to the disk and renames. Without
 // commit() the target stays as it was and the temporary file is removed; one that a killed process has left is removed
-// by the next that writes to the same target. A link is followed to its target; what is no
-// regular file (a device, a pipe) cannot be replaced and is written as it is.
+// by the next that writes to the same target. A link is followed to its target; what is no regular file (a device, a
+// pipe) cannot be replaced and is written as it is.
 
 #include <string>
 #include <string_view>

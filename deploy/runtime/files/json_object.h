@@ -59,7 +59,7 @@ std::string shown(const Json& value);
 /// Number as JSON writes it.
 std::string shown(double value);
 
-/// Rows of numbers. @throws FileError (file, key) if an entry is not finite: JSON cannot hold it.
+/// Rows of numbers, and a row. @throws FileError (file, key) if an entry is not finite, both: JSON cannot hold it.
 Json to_json(const Eigen::MatrixXd& matrix, const std::string& file, const std::string& key);
 Json vector_to_json(const Eigen::VectorXd& vector, const std::string& file, const std::string& key);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Gaussian white noise that is the same on every machine: the generator is specified by the C++ standard, the transform
-// to a normal deviate (Box-Muller) is ours, because std::normal_distribution differs between libraries (theory.md, section 10).
+// to a normal deviate is ours (Box-Muller), since std::normal_distribution differs by library (theory.md, section 10).
 //
 //   n = sqrt(-2 ln u1) cos(2 pi u2),  u1, u2 uniform in (0, 1]
 

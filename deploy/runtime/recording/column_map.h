@@ -11,8 +11,8 @@
 //   value in the channel's unit = factor * cell + offset
 //
 // The channel's unit is the one that the map gives it; without one it is the design's, of a flight channel that of its
-// name. Where the design has another unit, whoever feeds the design converts (deploy/runtime/units); flight channels are
-// converted here, so that they leave in the units of their names.
+// name. Where the design has another unit, whoever feeds the design converts (deploy/runtime/units); flight channels
+// are converted here, so that they leave in the units of their names.
 //
 // The three flight channels must all be there; actuators and sensors stand in the order of the design.
 //

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Answers GET requests on one thread of its own; connections are never waited for (http_connection.h). Whatever clients
-// do (idle connections, requests a byte at a time, floods, garbage), it costs one thread, `most_connections` descriptors
-// and a bounded amount of memory, others are answered meanwhile, and the server stops at once.
+// do (idle connections, requests a byte at a time, floods, garbage), it costs one thread, `most_connections`
+// descriptors and a bounded amount of memory, others are answered meanwhile, and the server stops at once.
 //
 //   connections   at most `most_connections`; beyond them the one that has been asking for longest is dropped
 //   request       its first line only, complete within `ask_limit`, 8 kB with all headers

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Feeds systemd's watchdog (WatchdogSec=, sd_watchdog_enabled(3)) only while every loop makes progress: a thread that
-// looks at their turn counters twice per WATCHDOG_USEC, and sends WATCHDOG=1 if all have grown since the last look. With
-// a hung loop it is not fed, whatever else in the process still runs, and systemd restarts the service.
+// looks at their turn counters twice per WATCHDOG_USEC, and sends WATCHDOG=1 if all have grown since the last look.
+// With a hung loop it is not fed, whatever else in the process still runs, and systemd restarts the service.
 //
 // Without WATCHDOG_USEC there is no thread.
 

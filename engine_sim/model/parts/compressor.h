@@ -6,8 +6,8 @@
 //   phi(T2s) = phi(T1) + R ln PR;  h2 = h1 + (h(T2s) - h1)/eff
 // f: factors of health and of stator vanes off schedule, f_W = (1 + h_flow)(1 - a_W a), and so on (engine_data.h).
 // A stream that leaves at a port where the fraction w of the work is done has h1 + w (h2 - h1); power counts it so.
-// S is the scalar of the state, P that of the factors. theta = T1/288.15 K, delta = P1/14.696 psia. Units SI; map flow in lbm/s. Errors: none; a non-finite state stays
-// non-finite. Source: Walsh & Fletcher, chapter 5; scaling of NPSS and T-MATS (engine_data.h).
+// S is the scalar of the state, P that of the factors. theta = T1/288.15 K, delta = P1/14.696 psia. Units SI; map flow
+// lbm/s. Errors: none; a non-finite state stays so. Source: Walsh & Fletcher, chapter 5; NPSS, T-MATS (engine_data.h).
 
 #include "engine_sim/model/engine_data.h"
 #include "engine_sim/model/thermo/stream.h"

@@ -29,8 +29,8 @@ double sonic_temperature_k(double tt_k, double total_h_j_kg, double fuel_air_rat
 /// The same with its partial derivatives by the total enthalpy and the fuel-air ratio.
 GasTemperature sonic_temperature(double tt_k, double total_h_j_kg, double fuel_air_ratio);
 
-/// At the throat of a choked nozzle flow and impulse are stationary along the isentrope, so the sonic temperature may be
-/// held while they are differentiated: the flow's derivative is exact, the thrust's but for the factor Cv, which is
+/// At the throat of a choked nozzle flow and impulse are stationary along the isentrope, so the sonic temperature may
+/// be held while they are differentiated: the flow's derivative is exact, the thrust's but for the factor Cv, which is
 /// enough for Newton's method. With derivatives by parameters (P a dual number) it carries its own.
 template <class P, class S>
 S throat_temperature_k(const Stream<S>& in) {

@@ -61,8 +61,8 @@ S entropy_function(const S& t_k, const S& fuel_air_ratio) {
   return chain(phi.value, phi.by_temperature, t_k, phi.by_fuel_air_ratio, fuel_air_ratio);
 }
 
-/// R varies with f by 2e-4 percent over the whole range: Newton's method needs no derivative of it, so it is carried only
-/// where derivatives by parameters are asked for (P a dual number).
+/// R varies with f by 2e-4 percent over the whole range: Newton's method needs no derivative of it, so it is carried
+/// only where derivatives by parameters are asked for (P a dual number).
 template <class P = double, class S>
 auto gas_constant(const S& fuel_air_ratio) {
   const double f = value(fuel_air_ratio), r = gas_constant_j_kgk(f);

@@ -2,7 +2,7 @@
 #pragma once
 // Static pressure of a subsonic stream of known total state through a known area:
 //   W = A p V/(R T),  h(T) = h(Tt) - V^2/2,  phi(T) - phi(Tt) = R ln(p/Pt)
-// Units: kg/s, Pa, K, m2. Errors: none; a choked area has no state. Source: continuity and isentropic flow with variable cp (Walsh & Fletcher, chapter 3).
+// Units: kg/s, Pa, K, m2. Errors: none; a choked area has no state. Source: Walsh & Fletcher, chapter 3, variable cp.
 
 #include <optional>
 

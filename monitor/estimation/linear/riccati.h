@@ -5,8 +5,8 @@
 // Solved by the structure-preserving doubling algorithm, quadratically convergent:
 //   A+ = A W^-1 A,  G+ = G + A W^-1 G A^T,  H+ = H + A^T H W^-1 A,  W = I + G H
 // from A^T, C^T R^-1 C, Q; H tends to P. Where noise is so small beside the signal that I + G H loses digits, Newton's
-// iteration puts them right: with K and F = A (I - K C) of the last P the next one solves P = F P F^T + A K R K^T A^T + Q, a
-// Lyapunov equation of sums only, so that an error of K enters squared. Sources: Hewer, IEEE TAC 16
+// iteration puts them right: with K and F = A (I - K C) of the last P the next one solves the Lyapunov equation
+// P = F P F^T + A K R K^T A^T + Q, of sums only, so that an error of K enters squared. Sources: Hewer, IEEE TAC 16
 // (1971) 382; Chu, Fan, Lin & Wang, Int. J. Control 77 (2004) 767, SDA.
 
 #include <Eigen/Core>

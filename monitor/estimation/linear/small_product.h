@@ -2,8 +2,8 @@
 #pragma once
 // Products of small column-major matrices sized at run time, without allocation: out = A B, and A S A^T with symmetric
 // S. Four rows and two columns at a time stay in registers; Eigen's own product of this size spends more on packing or
-// on looking up coefficients (theory.md, section 10; tests/bench/design_bench.cpp compares). `out` must not be an operand.
-// Shapes: inner sizes must agree (asserted). Errors: none.
+// on looking up coefficients (theory.md, section 10; tests/bench/design_bench.cpp compares). `out` must not be an
+// operand. Shapes: inner sizes must agree (asserted). Errors: none.
 
 #include <Eigen/Core>
 
