@@ -7,6 +7,7 @@
 
 namespace {
 
+using ehm::NoiseSource;
 using namespace ehm::engine_sim;
 
 constexpr double dt_s = 0.015;

@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <new>
 
-#include "deploy/runtime/numbers/index.h"
-
 namespace {
 std::atomic<long> allocations{0}, bytes{0};
 
@@ -38,7 +36,7 @@ void* operator new(std::size_t size) {
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   count(size);
-  const auto a = as_size(alignment);
+  const auto a = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(a, (size + a - 1) / a * a)) return memory;
   throw std::bad_alloc();
 }

@@ -279,7 +279,9 @@ TEST_P(EveryEstimator, AllocatesNothingAfterConstruction) {
     estimator_->widen(k < 45 ? 1.0 : 2.0);
     if (estimator_->distance(now) > 1e9) break;
     if (k == 10) estimator_->save(state);
-    if (k == 25) EXPECT_TRUE(estimator_->restore(state));
+    if (k == 25) {
+      EXPECT_TRUE(estimator_->restore(state));
+    }
   }
   estimator_->reset();
   EXPECT_EQ(test::allocation_count() - before, 0);

@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/model/solve/transient.h"
 #include "tests/unit/engine_sim/model/onboard/operating_points.h"
@@ -139,8 +138,8 @@ TEST(OnBoardEngine, AnyNumberAnywhereGivesAStatusAndFiniteResults) {
     const OperatingPoint good = points.next();
     auto p = inputs_of(good.operation, good.speeds, &good.metal);
     for (int k = 0; k < 1 + i % 3; ++k) {
-      p[as_size(random.uniform(0.0, gas_path_input::count))] =
-          odd[as_size(random.uniform(0.0, static_cast<double>(odd.size())))];
+      p[static_cast<std::size_t>(random.uniform(0.0, gas_path_input::count))] =
+          odd[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(odd.size())))];
     }
     const auto drive = drive_of(good.operation, p);
     GasPath gas;

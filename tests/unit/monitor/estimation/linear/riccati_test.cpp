@@ -64,7 +64,8 @@ TEST(Riccati, RandomProblemsSolveTheEquationAndStabilise) {
   Random random(1);
   for (int problem = 0; problem < 200; ++problem) {
     SCOPED_TRACE(problem);
-    const auto n = as_index(random.uniform(1, 12)), m = as_index(random.uniform(1, 8));
+    const auto n = static_cast<Eigen::Index>(random.uniform(1, 12)),
+               m = static_cast<Eigen::Index>(random.uniform(1, 8));
     Eigen::MatrixXd A = random.normal_matrix(n, n);
     A *= random.uniform(0.5, 1.1) / estimation::spectral_radius(A);  // stable and unstable ones
     const Eigen::MatrixXd C = random.normal_matrix(m, n);
@@ -137,7 +138,7 @@ TEST(Lyapunov, RandomProblemsSolveTheEquation) {
   Random random(2);
   for (int problem = 0; problem < 200; ++problem) {
     SCOPED_TRACE(problem);
-    const auto n = as_index(random.uniform(1, 12));
+    const auto n = static_cast<Eigen::Index>(random.uniform(1, 12));
     Eigen::MatrixXd A = random.normal_matrix(n, n);
     A *= random.uniform(0.1, 0.999) / estimation::spectral_radius(A);
     const Eigen::MatrixXd Q = positive_definite(random, n);
