@@ -75,7 +75,7 @@ class ErrorPropagation {
  public:
   /// `model` must outlive this. Starts cold.
   explicit ErrorPropagation(const ErrorModel& model) : ErrorPropagation(model, model.closed_loop.rows()) {}
-  /// With room for sensor sets of up to `most_states` n + t. Another number of unknowns than the model's is not possible.
+  /// With room for sensor sets of up to `most_states` n + t; the unknowns are the same in all of them.
   ErrorPropagation(const ErrorModel& model, Eigen::Index most_states);
 
   /// Cold start. Real-time safe: yes.
