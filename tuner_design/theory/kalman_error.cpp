@@ -5,6 +5,7 @@
 
 #include "deploy/runtime/numbers/decompositions.h"
 #include "deploy/runtime/numbers/index.h"
+#include "engine_sim/linear_model/stationary_covariance.h"
 #include "monitor/estimation/linear/lyapunov.h"
 #include "monitor/estimation/linear/solver_error.h"
 
@@ -61,7 +62,8 @@ Eigen::MatrixXd seen_through(const Eigen::MatrixXd& T, const Eigen::MatrixXd& co
 }
 
 /// [T offset, -z] Lambda [T offset, -z]^T: a linearisation error of the sensors moves the estimate, one of the outputs
-/// z the truth.
+/// z the truth. Through a root of Lambda, since a z that is a sensor but for its sign (an EGT margin) has nothing left
+/// here but round-off, which as a sum of squares is not negative.
 Eigen::MatrixXd linearisation_covariance(const Eigen::MatrixXd& T, const ClosedLoop& loop, const LinearModel& model,
                                          bool auxiliary) {
   const Eigen::Index rows = T.rows(), m = model.C.rows(), r = model.F.rows();
@@ -69,7 +71,8 @@ Eigen::MatrixXd linearisation_covariance(const Eigen::MatrixXd& T, const ClosedL
   Eigen::MatrixXd response = Eigen::MatrixXd::Zero(rows, m + r);
   response.leftCols(m) = T * loop.offset;
   if (auxiliary) response.rightCols(r) = -Eigen::MatrixXd::Identity(r, r);
-  return seen_through(response, model.linearisation_error);
+  return seen_through(response * linear_model::covariance_root(model.linearisation_error),
+                      Eigen::MatrixXd::Identity(m + r, m + r));
 }
 
 void require_variances(const Eigen::MatrixXd& covariance, const char* name) {

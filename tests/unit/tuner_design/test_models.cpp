@@ -46,6 +46,45 @@ Eigen::MatrixXd matrix(const Json& rows) {
   return result;
 }
 
+/// A point of a file of the reference data's form.
+LinearModel jt9d_model(const Json& file, const std::string& name) {
+  const Json& point = file.at("models").at(name);
+  const Json& trim = point.at("trim");
+  const auto channel = [&](const std::string& key, const std::string& unit) {
+    return linear_model::Channel{key, unit, trim.at(key).get<double>()};
+  };
+  LinearModel model;
+  model.name = name;
+  model.discrete = false;
+  model.sample_time_s = 0.015;
+  model.states = {channel("Nf", "rpm"), channel("Nc", "rpm")};
+  model.controls = {channel("Wf", "lbm/s")};
+  for (const Json& health : file.at("health")) model.health.push_back({health.get<std::string>(), "fraction", 0.0});
+  model.sensors = {channel("Nf", "rpm"),   channel("Nc", "rpm"),   channel("P24", "psia"), channel("T24", "degR"),
+                   channel("P30", "psia"), channel("T30", "degR"), channel("T48", "degR")};
+  model.auxiliary = {channel("T40", "degR"), channel("T50", "degR"), channel("Fn", "lbf"), channel("SmLPC", "percent")};
+  for (const auto& [key, target] : {std::pair<const char*, Eigen::MatrixXd*>{"A", &model.A},
+                                    {"B", &model.B},
+                                    {"L", &model.L},
+                                    {"C", &model.C},
+                                    {"D", &model.D},
+                                    {"M", &model.M},
+                                    {"F", &model.F},
+                                    {"G", &model.G},
+                                    {"N", &model.N}}) {
+    *target = matrix(point.at(key));
+  }
+  model.health_sigma = Eigen::VectorXd::Constant(10, 0.02);
+  model.sensor_noise_sigma.resize(7);
+  const double percent[] = {0.25, 0.25, 0.5, 0.75, 0.5, 0.75, 0.75};
+  for (std::size_t i = 0; i < 7; ++i) {
+    model.sensor_noise_sigma(as_index(i)) = percent[i] / 100.0 * model.sensors[i].trim;
+  }
+  // (0.01 % of trim)^2 a sample, that is 1e-4 percent^2
+  model.process_noise = (1e-4 * Eigen::Vector2d(model.states[0].trim, model.states[1].trim)).cwiseAbs2().asDiagonal();
+  return model;
+}
+
 }  // namespace
 
 double Random::uniform(double low, double high) {
@@ -98,50 +137,18 @@ LinearModel made_up_model(int sensors, int health) {
   return model;
 }
 
-std::optional<LinearModel> jt9d_cruise() {
-  auto model = jt9d_point("alt35000_MN0.8_PC100");
-  if (model) model->name = "JT9D cruise reference";
+LinearModel jt9d_cruise() {
+  const std::string path = std::string(EHM_SOURCE_DIR) + "/tests/unit/engine_sim/fixtures/jt9d_linear_points.json";
+  std::ifstream stream(path);
+  LinearModel model = jt9d_model(Json::parse(stream), "alt35000_MN0.8_PC100");
+  model.name = "JT9D cruise reference";
   return model;
 }
 
 std::optional<LinearModel> jt9d_point(const std::string& name) {
   const std::optional<Json> file = reference("jt9d_linear_models.json");
   if (!file) return std::nullopt;
-  const Json& point = file->at("models").at(name);
-  const Json& trim = point.at("trim");
-  const auto channel = [&](const std::string& key, const std::string& unit) {
-    return linear_model::Channel{key, unit, trim.at(key).get<double>()};
-  };
-  LinearModel model;
-  model.name = name;
-  model.discrete = false;
-  model.sample_time_s = 0.015;
-  model.states = {channel("Nf", "rpm"), channel("Nc", "rpm")};
-  model.controls = {channel("Wf", "lbm/s")};
-  for (const Json& health : file->at("health")) model.health.push_back({health.get<std::string>(), "fraction", 0.0});
-  model.sensors = {channel("Nf", "rpm"),   channel("Nc", "rpm"),   channel("P24", "psia"), channel("T24", "degR"),
-                   channel("P30", "psia"), channel("T30", "degR"), channel("T48", "degR")};
-  model.auxiliary = {channel("T40", "degR"), channel("T50", "degR"), channel("Fn", "lbf"), channel("SmLPC", "percent")};
-  for (const auto& [key, target] : {std::pair<const char*, Eigen::MatrixXd*>{"A", &model.A},
-                                    {"B", &model.B},
-                                    {"L", &model.L},
-                                    {"C", &model.C},
-                                    {"D", &model.D},
-                                    {"M", &model.M},
-                                    {"F", &model.F},
-                                    {"G", &model.G},
-                                    {"N", &model.N}}) {
-    *target = matrix(point.at(key));
-  }
-  model.health_sigma = Eigen::VectorXd::Constant(10, 0.02);
-  model.sensor_noise_sigma.resize(7);
-  const double percent[] = {0.25, 0.25, 0.5, 0.75, 0.5, 0.75, 0.75};
-  for (std::size_t i = 0; i < 7; ++i) {
-    model.sensor_noise_sigma(as_index(i)) = percent[i] / 100.0 * model.sensors[i].trim;
-  }
-  // (0.01 % of trim)^2 a sample, that is 1e-4 percent^2
-  model.process_noise = (1e-4 * Eigen::Vector2d(model.states[0].trim, model.states[1].trim)).cwiseAbs2().asDiagonal();
-  return model;
+  return jt9d_model(*file, name);
 }
 
 std::optional<LinearModel> mapss(const std::vector<int>& chosen) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Linear models for tests: one made up here, and the reference engines converted to LinearModel.
+// Linear models for tests: one made up here, the JT9D at cruise from the repository's fixture, and the other reference
+// engines, which need the reference data; all converted to LinearModel.
 
 #include <cstdint>
 #include <optional>
@@ -28,11 +29,12 @@ class Random {
 /// Sensors 0 and 1 measure the states. Deterministic.
 linear_model::LinearModel made_up_model(int sensors = 4, int health = 6);
 
-/// JT9D at cruise with the settings of theory.md, section 5, from the reference data; nullopt where they are absent.
+/// JT9D at cruise with the settings of theory.md, section 5, from tests/unit/engine_sim/fixtures/jt9d_linear_points.json.
 /// Temperatures in degR, pressures in psia, thrust in lbf.
-std::optional<linear_model::LinearModel> jt9d_cruise();
+linear_model::LinearModel jt9d_cruise();
 
-/// Its points: alt35000_MN0.8_PC100 (cruise), alt35000_MN0.8_PC80, alt0_MN0_PC100.
+/// Its points alt35000_MN0.8_PC100 (cruise), alt35000_MN0.8_PC80, alt0_MN0_PC100 from the reference data; nullopt where
+/// they are absent.
 std::optional<linear_model::LinearModel> jt9d_point(const std::string& name);
 
 /// MAPSS military engine with the given sensors (all eleven if empty); nullopt where the reference data are absent.

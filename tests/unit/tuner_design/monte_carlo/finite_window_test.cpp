@@ -28,11 +28,9 @@ design::Design made_up_design(double qh_percent2, bool with_linearisation_error)
 }
 
 TEST(FiniteWindow, IsTheReferenceAtTheReferenceQh) {
-  const auto model = test::jt9d_cruise();
-  if (!model) GTEST_SKIP() << test::no_reference;
   design::DesignOptions options;
   options.qh_percent2 = 1e-5;
-  const design::Design design = design_tuner(*model, options);
+  const design::Design design = design_tuner(test::jt9d_cruise(), options);
   const Window window = window_of(30.0, 10.0, 0.015);
   const WindowError error = finite_window_error(design, window, true),
                     still = finite_window_error(design, window, false);
@@ -48,12 +46,10 @@ TEST(FiniteWindow, IsTheReferenceAtTheReferenceQh) {
 
 TEST(FiniteWindow, AnEngineInBalanceHasTheErrorOfTheory) {
   // The filter is made for the model's Q, the engine then stays in balance: the figures of theory.md, section 5.
-  const auto model = test::jt9d_cruise();
-  if (!model) GTEST_SKIP() << test::no_reference;
   design::DesignOptions options;
   options.qh_percent2 = 1e-5;
   options.tuning = design::Tuning::closed_form;
-  const design::ErrorByChannel still = settled_error(design_tuner(*model, options), false);
+  const design::ErrorByChannel still = settled_error(design_tuner(test::jt9d_cruise(), options), false);
   EXPECT_NEAR(still.health.sum() / 12.0150156, 1.0, 1e-7);
   EXPECT_NEAR((3.24 * (still.auxiliary(0) + still.auxiliary(1)) + still.auxiliary(2) + still.auxiliary(3)) / 104.273995,
               1.0, 1e-7);

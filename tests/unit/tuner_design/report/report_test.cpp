@@ -170,8 +170,8 @@ std::vector<PageCase> page_cases() {
                               {"one_health", two_sensors_one_health},
                               {"one_of_each", without_auxiliary(test::made_up_model(1, 1))},
                               {"full_wire", test::made_up_model(15, 16), design::Tuning::closed_form},
-                              {"odd", oddly_named(test::made_up_model())}};
-  if (const auto jt9d = test::jt9d_cruise()) cases.push_back({"jt9d", *jt9d});
+                              {"odd", oddly_named(test::made_up_model())},
+                              {"jt9d", test::jt9d_cruise()}};
   if (const auto mapss = test::mapss()) cases.push_back({"mapss", *mapss});
   if (const auto mapss = test::mapss({0, 2, 4, 6, 8})) cases.push_back({"mapss_five", *mapss});
   return cases;

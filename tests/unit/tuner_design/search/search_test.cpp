@@ -141,11 +141,7 @@ TEST(PrincipalAngles, KnownPlanes) {
 /// JT9D at cruise with the settings of theory.md, section 5.
 class ReferenceSearch : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto found = test::jt9d_cruise();
-    if (!found) GTEST_SKIP() << test::no_reference;
-    model = *found;
-  }
+  void SetUp() override { model = test::jt9d_cruise(); }
   design::Design designed(double qh, Tuning tuning = Tuning::kalman) const {
     DesignOptions options;
     options.qh_percent2 = qh;
@@ -210,7 +206,8 @@ TEST_F(ReferenceSearch, ABlindTunerIsNoTrap) {
 TEST_F(ReferenceSearch, OneTunerMatrixForTheEnvelope) {
   std::vector<linear_model::LinearModel> models;
   for (const char* name : {"alt35000_MN0.8_PC100", "alt35000_MN0.8_PC80", "alt0_MN0_PC100"})
-    models.push_back(*test::jt9d_point(name));
+    if (const auto point = test::jt9d_point(name)) models.push_back(*point);
+  if (models.empty()) GTEST_SKIP() << test::no_reference;
   DesignOptions options;
   options.qh_percent2 = 1e-5;
   const auto designs = design_envelope(models, {1.0, 1.0, 1.0}, options, 2);
