@@ -70,7 +70,7 @@ enum class EventKind : std::uint32_t {
   recording = 18,         ///< the recorder stopped or lost samples
   security = 19,          ///< somebody without permission was kept out
   source_channels = 20,   ///< a channel as its source describes it is not the design's: name, place or unit; channel:
-                          ///< sensor, actuators from EHM_MAX_SENSORS on; value: source_id
+                          ///< sensor, actuators from EHM_MAX_SENSORS on, 24 the engine's type; value: source_id
   unreadable_peer = 21,   ///< a remote endpoint of our topics that can never be read, or never read us; the message
                           ///< names participant, topic and reason (raised 0: all that were named are gone)
   source_stamps = 22,     ///< source_time_ns is not set, repeats, or steps back (value: by how many seconds, negative)

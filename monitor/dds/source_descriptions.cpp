@@ -40,6 +40,11 @@ std::size_t DescribedSource::actuators_of(const linear_model::LinearModel& m) co
   return std::min<std::size_t>(actuator_count, m.controls.size());
 }
 
+bool DescribedSource::other_engine(const linear_model::LinearModel& m) const noexcept {
+  const std::string_view said = engine_type.words().name;
+  return !said.empty() && !m.engine_type.empty() && said != m.engine_type;
+}
+
 void DescribedSource::fit_to(const linear_model::LinearModel& m) noexcept {
   model = &m;
   fit = {};
@@ -60,6 +65,7 @@ DescribedSource* SourceDescriptions::keep(const EngineDescription& d) {
   if (!source) return nullptr;
   source->sensor_count = copy_channels(d.sensors(), d.sensor_count(), source->sensors);
   source->actuator_count = copy_channels(d.actuators(), d.actuator_count(), source->actuators);
+  copy_text(d.engine_type(), source->engine_type.name);
   source->described = true;
   source->model = nullptr;
   return source;

@@ -32,14 +32,17 @@ struct DescribedSource {
   std::array<DescribedChannel, estimation::max_sensors> sensors;
   std::array<DescribedChannel, estimation::max_actuators> actuators;
   std::uint32_t sensor_count = 0, actuator_count = 0;
+  DescribedChannel engine_type;  ///< its name; empty: not said
   bool described = false, waited_for = false;
   const linear_model::LinearModel* model = nullptr;  ///< that `fit` is of; null: none yet
   SourceFit fit;
-  std::uint32_t told = 0;  ///< misfits that are raised: bit i a sensor, bit max_sensors + i an actuator
+  std::uint32_t told = 0;  ///< misfits that are raised: bit i is that of SourceChannel::channel (cycle_report.h)
 
   /// Channels that both this source and the model have.
   std::size_t sensors_of(const linear_model::LinearModel& m) const noexcept;
   std::size_t actuators_of(const linear_model::LinearModel& m) const noexcept;
+  /// Its engine is of another type than the model's, by name; where one of them says none, nobody can tell.
+  bool other_engine(const linear_model::LinearModel& m) const noexcept;
   /// Fits the source to a model.
   void fit_to(const linear_model::LinearModel& m) noexcept;
 };

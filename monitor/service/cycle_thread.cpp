@@ -193,6 +193,8 @@ void CycleThread::report_misfits(const EngineSlot& slot, DescribedSource& source
   for (std::size_t i = 0; i < source.sensors_of(model); ++i) compare(i, source.fit.sensors[i], source.sensors[i]);
   for (std::size_t i = 0; i < source.actuators_of(model); ++i)
     compare(estimation::max_sensors + i, source.fit.actuators[i], source.actuators[i]);
+  compare(SourceChannel::engine_type, {source.other_engine(model) ? Misfit::name : Misfit::none, {}},
+          source.engine_type);
   if (first_converted.converted > 0) report_channel(slot, first_converted);
 }
 

@@ -32,6 +32,26 @@ void say_malformed(const CycleReport& report) {
       model.sensors.size(), model.controls.size(), m.so_far);
 }
 
+const linear_model::Channel& design_channel(const SourceChannel& c, const linear_model::LinearModel& model) {
+  return c.channel < EHM_MAX_SENSORS ? model.sensors.at(c.channel) : model.controls.at(c.channel - EHM_MAX_SENSORS);
+}
+
+std::string channel_text(const SourceChannel& c, const linear_model::LinearModel& model) {
+  const bool sensor = c.channel < EHM_MAX_SENSORS;
+  const char* what = sensor ? "sensor" : "actuator";
+  if (!c.raised)
+    return fmt::format("{} {} of source {} fits the design", what, design_channel(c, model).name, c.source_id);
+  return misfit_text(what, sensor ? c.channel : c.channel - EHM_MAX_SENSORS, c.said.words(),
+                     "source " + std::to_string(c.source_id), sensor ? model.sensors : model.controls, c.misfit) +
+         (c.misfit == Misfit::name ? "; it is used" : "; it is not used");
+}
+
+std::string engine_text(const SourceChannel& c, const linear_model::LinearModel& model) {
+  if (!c.raised) return fmt::format("the engine of source {} is the design's, {}", c.source_id, model.engine_type);
+  return fmt::format("the engine is {} by source {}, {} by the design: what is estimated is another engine's",
+                     c.said.words().name, c.source_id, model.engine_type);
+}
+
 }  // namespace
 
 Reporter::Reporter(idl::Participant& participant, std::uint32_t source_id, CycleReportQueue& queue,
@@ -170,17 +190,13 @@ void Reporter::report_event(const CycleReport& report) {
 void Reporter::report_source_channel(const CycleReport& report) {
   const SourceChannel& c = report.source_channel;
   const auto& model = report.design->model;
-  const bool sensor = c.channel < EHM_MAX_SENSORS;
-  const auto& channels = sensor ? model.sensors : model.controls;
-  const std::size_t i = sensor ? c.channel : c.channel - EHM_MAX_SENSORS;
-  const ChannelWords said = c.said.words();
   if (c.converted > 0) {
+    const linear_model::Channel& own = design_channel(c, model);
     spdlog::info("engine {}: {} channels of source {} are converted to the design's units, the first {} from {} to {}",
-                 report.engine_id, c.converted, c.source_id, channels.at(i).name,
-                 idl::printable(std::string(said.unit)), channels.at(i).unit);
+                 report.engine_id, c.converted, c.source_id, own.name, idl::printable(std::string(c.said.words().unit)),
+                 own.unit);
     return;
   }
-  const char* what = sensor ? "sensor" : "actuator";
   HealthEvent event;
   event.engine_id(report.engine_id);
   event.kind(static_cast<std::uint32_t>(idl::EventKind::source_channels));
@@ -189,12 +205,9 @@ void Reporter::report_source_channel(const CycleReport& report) {
   event.sequence_number(report.sequence);
   event.source_time_ns(report.source_time_ns);
   event.value(static_cast<double>(c.source_id));
-  event.channel_name() = channels.at(i).name.c_str();
-  const std::string text =
-      c.raised ? misfit_text(what, i, said, "source " + std::to_string(c.source_id), channels, c.misfit) +
-                     (c.misfit == Misfit::name ? "; it is used" : "; it is not used")
-               : fmt::format("{} {} of source {} fits the design", what, channels.at(i).name, c.source_id);
-  event.message() = idl::printable(text).c_str();
+  const bool channel = c.channel != SourceChannel::engine_type;
+  if (channel) event.channel_name() = design_channel(c, model).name.c_str();
+  event.message() = idl::printable(channel ? channel_text(c, model) : engine_text(c, model)).c_str();
   publish(event);
 }
 

@@ -19,10 +19,12 @@ struct Malformed {
   std::uint64_t so_far = 0;  ///< of this engine
 };
 
-/// A channel as its source describes it, where that is not as the design's.
+/// A channel, or the engine, as its source describes it, where that is not as the design's.
 struct SourceChannel {
   std::uint32_t source_id = 0;
-  std::uint32_t channel = 0;  ///< sensor, or EHM_MAX_SENSORS + actuator
+  /// In place of a channel: the engine's type, said.name, is not the design's.
+  static constexpr std::uint32_t engine_type = EHM_MAX_SENSORS + EHM_MAX_ACTUATORS;
+  std::uint32_t channel = 0;  ///< sensor, EHM_MAX_SENSORS + actuator, or engine_type
   Misfit misfit = Misfit::none;
   bool raised = false;
   std::uint32_t converted = 0;  ///< so many channels of the source are converted, this one first; then no event

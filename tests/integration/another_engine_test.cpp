@@ -116,7 +116,7 @@ TEST_F(AnotherEngineTest, OtherChannelsThanTheDesignsLeadToNoEstimate) {
                 "are schema 1, 7 sensors and 3 actuators"));
 }
 
-TEST_F(AnotherEngineTest, WithTheDesignsChannelsIsFarFromItsPoint) {
+TEST_F(AnotherEngineTest, WithTheDesignsChannelsIsNamedAndFarFromItsPoint) {
   const auto shipped = [](const std::string& name) {
     return Json::parse(std::ifstream(EHM_SOURCE_DIR "/deploy/engines/" + name + ".json"));
   };
@@ -129,6 +129,9 @@ TEST_F(AnotherEngineTest, WithTheDesignsChannelsIsFarFromItsPoint) {
       << monitor->log();
   ASSERT_TRUE(listener_.await([&] { return !simulator->running(); }));
   EXPECT_GT(listener_.find_event(idl::EventKind::operating_point, true)->value(), 2.0);
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::source_channels, true); }));
+  EXPECT_THAT(std::string(listener_.find_event(idl::EventKind::source_channels, true)->message().c_str()),
+              HasSubstr("the engine is high-bypass-turbofan by source 1, jt9d by the design"));
   EXPECT_TRUE(listener_.health.empty());
 }
 

@@ -243,6 +243,30 @@ TEST_F(DescribedSourceTest, ChannelsThatDoNotFitAreNotUsedAndNamed) {
   EXPECT_STREQ(channel_event(false)->message().c_str(), "sensor T48 of source 9 fits the design");
 }
 
+TEST_F(DescribedSourceTest, AnEngineOfAnotherTypeIsNamed) {
+  monitor_ = start_monitor();
+  idl::Participant participant(options(domain_));
+  idl::Writer<EngineDescription> descriptions(participant);
+  idl::Writer<EngineSensors> sensors(participant);
+  meet(sensors);
+  EngineDescription other = description();
+  other.engine_type() = "high-bypass-turbofan";
+  descriptions.write(other);
+  fly(sensors, 5, [](EngineSensors s) { return s; });
+  ASSERT_TRUE(listener_.await([&] { return channel_event(true) != nullptr; })) << monitor_->log();
+  EXPECT_EQ(channel_event(true)->channel(), 24u);
+  EXPECT_EQ(channel_event(true)->value(), 9.0);
+  EXPECT_STREQ(channel_event(true)->message().c_str(),
+               "the engine is high-bypass-turbofan by source 9, jt9d by the design: what is estimated is another "
+               "engine's");
+  EXPECT_EQ(answers().back().fused(), 0b1111111u);
+
+  other.engine_type() = "jt9d";
+  descriptions.write(other);
+  ASSERT_TRUE(listener_.await([&] { return channel_event(false) != nullptr; }));
+  EXPECT_STREQ(channel_event(false)->message().c_str(), "the engine of source 9 is the design's, jt9d");
+}
+
 TEST_F(DescribedSourceTest, AnotherOrderIsNotUsedAndAnotherNameIsNamed) {
   monitor_ = start_monitor();
   idl::Participant participant(options(domain_));
