@@ -9,7 +9,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const auto checkpoint = ehm::monitor::parse_checkpoint(ehm::fuzz::sealed(data, size), "fuzz.json");
-    EHM_REQUIRE(checkpoint.state.estimate.allFinite());
+    EHM_REQUIRE(checkpoint.state.watch.estimate.allFinite());
+    for (const auto& companion : checkpoint.state.companions) EHM_REQUIRE(companion.state.estimate.allFinite());
   } catch (const ehm::files::FileError& e) {
     EHM_REQUIRE(e.what()[0] != '\0');
   }
