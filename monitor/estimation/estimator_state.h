@@ -20,8 +20,8 @@ namespace ehm::estimation {
 struct EstimatorState {
   int missing_sensor = -1;        ///< that the design in use lacks; -1: none
   std::int64_t held_samples = 0;  ///< since the error's theory went on, while a sensor holds its values
-  AugmentedVector estimate;
-  ErrorState error;
+  AugmentedVector estimate = {};
+  ErrorState error = {};
 };
 
 }  // namespace ehm::estimation
