@@ -99,7 +99,7 @@ FaultSignatures signatures(const design::SubsetDesign& set, const Plant& plant, 
   s.hypotheses = static_cast<int>(m + p);
   s.ages = ages;
   const Eigen::MatrixXd prediction = set.C * set.A;
-  const Eigen::MatrixXd closed_loop = design::closed_loop(set);
+  const Eigen::MatrixXd closed_loop = set.A - set.K * prediction;  // this order keeps recordings to the bit
   add_noise(s, set, plant, closed_loop);
 
   s.weight.resize(m + p, m * ages);
