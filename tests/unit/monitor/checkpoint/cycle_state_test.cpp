@@ -234,8 +234,9 @@ TEST_F(CycleStateTest, WithoutTheirStateEstimatorsBesideStartColdAndTheWatchFilt
     return successor;
   };
   state.companions.clear();  // a checkpoint of an earlier version
-  EXPECT_GT(resumed()->result().shadow[0].health_sigma.norm(), 1.5 * first.result().shadow[0].health_sigma.norm());
-  EXPECT_FALSE(resumed()->result().shadow[1].settled);
+  // What no sensor sees is as uncertain settled as cold: the sigma as a whole is but a tenth larger.
+  EXPECT_GT(resumed()->result().shadow[0].health_sigma.norm(), 1.05 * first.result().shadow[0].health_sigma.norm());
+  for (const auto& shadow : resumed()->result().shadow) EXPECT_FALSE(shadow.settled);
   state = whole;
   state.companions[0].state.estimate.conservativeResize(3);  // of another shape: only this one
   EXPECT_FALSE(resumed()->result().shadow[0].settled);

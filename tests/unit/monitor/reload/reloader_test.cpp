@@ -49,8 +49,8 @@ TEST(ReloadableKeys, AreTakenFromTheNewConfigurationByTheEngines) {
 }
 
 TEST(ReloadableKeys, ARefusalNamesTheKeyAndBothValues) {
-  EXPECT_EQ(refusal("estimator.published", "time_varying"),
-            "'estimator.published' is tuner and cannot become time_varying while flying: restart the monitor");
+  EXPECT_EQ(refusal("estimator.published", "\"time_varying\""),
+            "'estimator.published' is \"tuner\" and cannot become \"time_varying\" while flying: restart the monitor");
   EXPECT_THAT(refusal("monitor.max_engines", "0"), HasSubstr("can only grow"));
   auto wanted = defaults();
   wanted["dds.domain"] = "7";
