@@ -54,6 +54,7 @@ int run(const Options& options) {
   std::uint64_t sent = 0, refused = 0;
   for (std::uint64_t round = 0; round < rounds && !stop.requested(); ++round)
     for (auto& engine : engines) {
+      if (stop.requested()) break;  // a writer without readers may wait at each sample
       refused += !writer.write(engine.next(period_ns));
       ++sent;
       pacer.wait();
