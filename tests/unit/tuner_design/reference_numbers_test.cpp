@@ -8,8 +8,8 @@
 #include "engine_sim/linear_model/scaling.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/design/design_tuner.h"
+#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/theory/kalman_error.h"
 #include "tuner_design/theory/kalman_gain.h"
 

@@ -12,8 +12,8 @@
 
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/baselines/best_subset.h"
-#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/design/design_tuner.h"
+#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/print/baseline_text.h"
 
 namespace ehm::tuner_design {

@@ -120,17 +120,18 @@ TEST(DesignTuner, AnAbsentSensorNeverMakesItWorseThanThePrior) {
 // An EGT margin is the EGT turned round: the sensors know it, and what the linear model misses of it cancels but for
 // round-off, which once was a negative variance that the monitor refused.
 TEST(DesignTuner, AnOutputThatIsASensorTurnedRoundHasNoNegativeVariance) {
+  constexpr Eigen::Index turned = 2;  // its unit of percent is 7 K: no power of two, so that products round
   linear_model::LinearModel model = test::made_up_model();
   model.auxiliary[1] = {"margin", "K", 100.0};
-  model.F.row(1) = -model.C.row(3);
-  model.G.row(1) = -model.D.row(3);
-  model.N.row(1) = -model.M.row(3);
+  model.F.row(1) = -model.C.row(turned);
+  model.G.row(1) = -model.D.row(turned);
+  model.N.row(1) = -model.M.row(turned);
   design::DesignOptions options;
   options.tuning = design::Tuning::closed_form;
   test::Random random(31);
   for (int draw = 0; draw < 20; ++draw) {
     Eigen::MatrixXd root = random.normal_matrix(6, 6);
-    root.row(5) = -root.row(3);
+    root.row(5) = -root.row(turned);
     model.linearisation_error = root * root.transpose();
     const Design design = design_tuner(model, options);
     EXPECT_GE(design.full.auxiliary_linearisation_covariance(1, 1), 0.0) << draw;
