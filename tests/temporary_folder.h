@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A folder of a test's own, gone with it.
+// A folder of a test's or a bench's own, gone with it.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -16,7 +15,7 @@ namespace ehm::test {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = testing::TempDir() + "ehm-test-XXXXXX";
+    std::string name = std::filesystem::temp_directory_path() / "ehm-test-XXXXXX";
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
     path_ = name;
   }

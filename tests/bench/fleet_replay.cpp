@@ -5,13 +5,14 @@
 // Exit: 0 done, 1 failed, 2 wrong usage
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <thread>
+#include <vector>
 
 #include "deploy/runtime/config/usage_answer.h"
 #include "deploy/runtime/service/stop_signal.h"
+#include "engine_sim/dds/wait_for_readers.h"
 #include "engine_sim/pacer.h"
 #include "idl/dds/endpoint.h"
 #include "tests/bench/trim_sample.h"
@@ -27,15 +28,9 @@ struct Options {
   int readers = 1;
 };
 
-/// Waits until so many monitors listen, and a moment more: matching is not symmetric.
-bool wait_for_readers(const idl::Writer<EngineSensors>& writer, int readers, const service::StopSignal& stop) {
-  while (writer.matched() < readers && !stop.requested()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  return !stop.requested();
-}
-
 int run(const Options& options) {
   const service::StopSignal stop;
+  spdlog::set_level(spdlog::level::warn);  // standard output is for the line of JSON
   idl::ParticipantOptions participant_options;
   participant_options.domain = options.domain;
   participant_options.name = "fleet replay";
@@ -43,7 +38,9 @@ int run(const Options& options) {
   participant_options.profiles_file = options.profiles_file;
   idl::Participant participant(participant_options);
   idl::Writer<EngineSensors> writer(participant);
-  if (!wait_for_readers(writer, options.readers, stop)) return 0;
+  engine_sim::wait_for_readers(
+      options.readers, [&] { return writer.matched() >= options.readers; }, stop);
+  if (stop.requested()) return 0;
 
   const tuner_design::TrimSample trim(options.design);
   std::vector<tuner_design::TrimSample> engines;

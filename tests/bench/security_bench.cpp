@@ -17,14 +17,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
-#include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "deploy/runtime/config/usage_answer.h"
 #include "idl/dds/endpoint.h"
 #include "idl/wire_values.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -151,6 +152,22 @@ bool measure(const Options& options, const std::string& files) {
   return true;
 }
 
+int run(const Options& options) {
+  const ehm::test::TemporaryFolder files;  // the keys go with it
+  for (const char* kind : {kinds[1], kinds[2]}) {
+    const std::string make = std::string(EHM_SOURCE_DIR "/deploy/security/make_security.sh --out ") + files.path(kind) +
+                             " --protection " + kind + " >/dev/null";
+    if (std::system(make.c_str()) != 0) throw std::runtime_error("make_security.sh failed, see above");
+  }
+  const pid_t echo = fork();  // before any DDS: threads do not survive a fork
+  if (echo == 0) run_echo(options, files.path());
+  const bool measured = measure(options, files.path());
+  kill(echo, SIGKILL);
+  waitpid(echo, nullptr, 0);
+  if (!measured) std::fprintf(stderr, "security_bench: the other process does not answer\n");
+  return measured ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -166,25 +183,10 @@ int main(int argc, char** argv) {
     return ehm::config::usage_answer(app, e);
   }
 
-  std::string files = std::filesystem::temp_directory_path() / "ehm-security-bench.XXXXXX";
-  if (!mkdtemp(files.data())) {
-    std::perror("security_bench: no temporary folder");
+  try {
+    return run(options);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "security_bench: %s\n", e.what());
     return 1;
   }
-  for (const char* kind : {kinds[1], kinds[2]}) {
-    const std::string make = std::string(EHM_SOURCE_DIR "/deploy/security/make_security.sh --out ") + files + "/" +
-                             kind + " --protection " + kind + " >/dev/null";
-    if (std::system(make.c_str()) != 0) {
-      std::fprintf(stderr, "security_bench: make_security.sh failed, see above\n");
-      return 1;
-    }
-  }
-  const pid_t echo = fork();  // before any DDS: threads do not survive a fork
-  if (echo == 0) run_echo(options, files);
-  const bool measured = measure(options, files);
-  kill(echo, SIGKILL);
-  waitpid(echo, nullptr, 0);
-  std::filesystem::remove_all(files);
-  if (!measured) std::fprintf(stderr, "security_bench: the other process does not answer\n");
-  return measured ? 0 : 1;
 }
