@@ -5,7 +5,6 @@ each other, unless one holds the other. Every source opens with its licence."""
 
 import pathlib
 import re
-import subprocess
 import sys
 
 root = pathlib.Path(__file__).resolve().parents[2]
@@ -48,9 +47,9 @@ def target_of(path, bracket, name):
 
 def sources_and_scripts():
     kinds = {".h", ".cpp", ".c", ".idl", ".py", ".sh", ".cmake"}
-    tracked = subprocess.run(["git", "ls-files"], cwd=root, capture_output=True, text=True).stdout.split("\n")
-    return [root / name for name in tracked
-            if pathlib.PurePath(name).suffix in kinds or name.endswith("CMakeLists.txt") if (root / name).exists()]
+    return [root / "CMakeLists.txt"] + sorted(
+        path for top in (*tops, "tests") for path in (root / top).rglob("*")
+        if path.suffix in kinds or path.name == "CMakeLists.txt")
 
 
 def main():
