@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "engine_sim/scenario/linear_model_file.h"
 #include "engine_sim/scenario/deterioration.h"
 #include "engine_sim/scenario/fault_schedule.h"
+#include "engine_sim/scenario/linear_model_file.h"
 #include "engine_sim/simulated_engine.h"
 
 namespace ehm::engine_sim {

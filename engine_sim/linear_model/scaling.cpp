@@ -52,7 +52,9 @@ Eigen::MatrixXd rescaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& r
 
 }  // namespace
 
-double unit_of_health(const Channel& parameter) { return 100.0 * health_scale(parameter); }
+double unit_of_health(const Channel& parameter) {
+  return 100.0 * health_scale(parameter);
+}
 
 double size_of_trim(const Channel& channel) noexcept {
   if (units::is_gauge_pressure(channel.unit)) return 0.0;

@@ -47,8 +47,8 @@ class CompanionEstimators {
   }
   /// Allocates nothing if there are as many `states` already.
   void save(std::vector<CompanionState>& states) const noexcept;
-  /// Each goes on from its own among `states`, of which `unseen` samples before the next one were not seen; without one
-  /// that fits it stays as it is: cold, in a new cycle. True if none does.
+  /// Each goes on from its own among `states`, and its next prediction leads over `unseen` samples that it missed; without
+  /// one that fits it stays as it is: cold, in a new cycle. @returns whether every one goes on.
   bool restore(const std::vector<CompanionState>& states, int unseen) noexcept;
 
   void predict(estimation::SensorMask available, const estimation::Conditions& before, int steps) noexcept {

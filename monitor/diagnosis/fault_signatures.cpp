@@ -99,7 +99,8 @@ FaultSignatures signatures(const design::SubsetDesign& set, const Plant& plant, 
   s.hypotheses = static_cast<int>(m + p);
   s.ages = ages;
   const Eigen::MatrixXd prediction = set.C * set.A;
-  const Eigen::MatrixXd closed_loop = set.A - set.K * prediction;  // this order keeps recordings to the bit
+  // Summed in this order, not as design::closed_loop does: earlier flights are estimated to the bit as they were.
+  const Eigen::MatrixXd closed_loop = set.A - set.K * prediction;
   add_noise(s, set, plant, closed_loop);
 
   s.weight.resize(m + p, m * ages);

@@ -19,9 +19,9 @@
 #include "monitor/redundancy/peer_watch.h"
 #include "monitor/redundancy/ranked_writer.h"
 #include "monitor/reload/table_exchange.h"
+#include "monitor/service/shadow_writers.h"
 #include "monitor/shared/cycle_report.h"
 #include "monitor/shared/engine_table.h"
-#include "monitor/service/shadow_writers.h"
 
 namespace ehm::monitor {
 

@@ -10,8 +10,8 @@
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/linear_model/discretise.h"
 #include "tuner_design/baselines/best_subset.h"
-#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/design/choose_tuners.h"
+#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/full_order/gauss_markov.h"
 #include "tuner_design/full_order/limit_after.h"
 

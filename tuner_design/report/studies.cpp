@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <exception>
 
-#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/design/choose_tuners.h"
+#include "tuner_design/design/tuner_baselines.h"
 
 namespace ehm::tuner_design::report {
 namespace {

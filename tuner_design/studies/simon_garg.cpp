@@ -5,8 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/design/design_tuner.h"
+#include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/search/tuner_search.h"
 
 namespace ehm::tuner_design {

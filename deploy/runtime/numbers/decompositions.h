@@ -2,7 +2,7 @@
 #pragma once
 // The factorisations of a matrix of doubles that the design and the loading of a design use: L U, Cholesky, Householder
 // Q R, singular values, symmetric and general eigenvalues. They are compiled once (decompositions.cpp): instantiated in
-// every file that solves something they were half of the project's compile time (measured: JacobiSVD 9.7 s a file
+// every file that solves something, they are most of what it costs the compiler (measured: JacobiSVD 9.7 s a file
 // against 2.3 s, PartialPivLU 5.9 s against 3.3 s). Include this instead of <Eigen/SVD> and its kin.
 
 #include <Eigen/Cholesky>
