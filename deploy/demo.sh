@@ -41,7 +41,7 @@ build=${EHM_BUILD_DIR:-build}
 domain=${EHM_DDS_DOMAIN:-42}
 {
   deploy/install-deps.sh
-  deploy/build.sh "$build" engine_sim monitor tuner_design ehm_watch
+  EHM_PRESET=release deploy/build.sh "$build" engine_sim monitor tuner_design ehm_watch  # as the tests: compiled once
 } >&2
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/ehm-demo.XXXXXX")
