@@ -36,8 +36,8 @@ bool is_of_a_station(const OutputChannel& channel) {
 void print_stations(const GasPath& gas, const Ratings& ratings, std::ostream& out) {
   out << " station                W, kg/s      Pt, kPa        Tt, K\n";
   for (const auto& [number, place] : stations) {
-    const auto read = [&](const char* quantity) {
-      return find_output(quantity + std::string(number))->read(gas, ratings);
+    const auto read = [&, at = number](const char* quantity) {  // clang 14 captures no binding
+      return find_output(quantity + std::string(at))->read(gas, ratings);
     };
     out << ' ' << std::left << std::setw(4) << number << std::setw(17) << place << std::right << std::fixed
         << std::setprecision(3) << std::setw(9) << read("W") << std::setw(13) << 1e-3 * read("P")
