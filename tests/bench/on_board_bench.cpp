@@ -106,7 +106,9 @@ int run(int repetitions) {
     std::optional<Transient> flight;
     OnBoardEngine a(engine), b(engine), c(engine), d(engine), e(engine);
     for (std::size_t k = 0; k < n; ++k) {
-      const auto& [operation, speeds, metal] = asked[k];
+      const Operation& operation = asked[k].operation;  // by name: clang 14 captures no binding
+      const SpoolSpeeds& speeds = asked[k].speeds;
+      const MetalTemperatures& metal = asked[k].metal;
       const Operation commanded = operation_at(all, k);
       if (k % samples_per_slam == 0) flight.emplace(engine, all[k / samples_per_slam].idle());
       step.measure(k, [&] {

@@ -157,7 +157,7 @@ TEST(BlindSensors, AreNamedAndNoDesignUsesThem) {
   const Design design = design_tuner(model, {});
   EXPECT_THAT(design.full.sensors, ::testing::ElementsAre(0, 2, 3));
   EXPECT_EQ(design.full.V.rows(), 3);
-  EXPECT_EQ(design_as_json(design).at("blind_sensors"), nlohmann::json({"N2", "y4"}));
+  EXPECT_THAT(design_as_json(design).at("blind_sensors"), ::testing::ElementsAre("N2", "y4"));
   EXPECT_TRUE(design.full.K.col(1).isZero(0.0));
   EXPECT_EQ(design.missing[4]->sensors, design.full.sensors) << "nothing is missing without it";
   EXPECT_THAT(design.missing[2]->sensors, ::testing::ElementsAre(0, 3));
