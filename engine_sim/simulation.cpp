@@ -6,6 +6,7 @@
 #include <string>
 
 #include "deploy/runtime/numbers/index.h"
+#include "engine_sim/mismatch/mismatch.h"
 #include "engine_sim/simulation_channels.h"
 
 namespace ehm::engine_sim {
@@ -57,12 +58,17 @@ HealthVector health_at(const Deterioration& deterioration, double time_s) {
 
 Simulation::Simulation(const Scenario& scenario)
     : scenario_(scenario),
-      turbofan_(scenario.engine->data),
-      nominal_(trimmed(turbofan_, scenario)),
-      profile_({0.0, scenario.flight, {DemandKind::n1_rpm, nominal_.gas.speeds.n1_rpm}}, scenario.profile),
+      filed_(scenario.engine->data),
+      flown_(built(scenario.engine->data, scenario.mismatch)),
+      nominal_(trimmed(filed_, scenario)),
+      profile_({.flight = scenario.flight,
+                .demand = {DemandKind::n1_rpm, nominal_.gas.speeds.n1_rpm},
+                .offtake = scenario.offtake},
+               scenario.profile),
       deterioration_(scenario),
-      fan_speed_(turbofan_, scenario.control),
-      engine_(started(turbofan_, scenario, {profile_.at(0.0).flight, health_at(deterioration_, 0.0), scenario.offtake},
+      fan_speed_(filed_, scenario.control),
+      engine_(started(flown_, scenario,
+                      {profile_.at(0.0).flight, health_at(deterioration_, 0.0), profile_.at(0.0).offtake},
                       fan_speed_.n1_rpm(profile_.at(0.0).demand, profile_.at(0.0).flight))),
       sensors_(scenario.engine->channels.sensors, scenario.sensors, true_sensors(*scenario.engine, nominal_.gas),
                static_cast<std::uint64_t>(scenario.seed)),
@@ -74,23 +80,32 @@ SimSample Simulation::next() {
   sample.sequence = sequence_;
   sample.time_s = time_s();
   const ProfilePoint now = profile_.at(sample.time_s);
-  sample.flight = now.flight;
   sample.health = health_at(deterioration_, sample.time_s);
   for (const auto& [sensor, fault] : pending_faults_.due(sample.time_s)) inject(sensor, fault);
 
-  const auto [actuation, geometry, gas] = step(now, sample.health);
-  sample.actuation = actuation;
-  sample.geometry = geometry;
+  const ControlledSample flown = step(now, sample.health);
+  const GasPath& gas = flown.gas;
+  sample.actuation = flown.actuation;
+  sample.inputs = reported(now, flown);
+  sample.flight = sample.inputs.flight;
   sample.auxiliary = true_auxiliary(*scenario_.engine, gas);
   sample.readings = sensors_.read(true_sensors(*scenario_.engine, gas), sample.time_s, scenario_.sample_time_s);
   ++sequence_;
   return sample;
 }
 
+Operation Simulation::reported(const ProfilePoint& now, const ControlledSample& sample) const {
+  const ReportedInputs said = misread({now.flight, sample.actuation.fuel_flow_kg_s}, scenario_.mismatch);
+  return {.flight = said.flight,
+          .fuel_flow_kg_s = said.fuel_flow_kg_s,
+          .geometry = sample.geometry,
+          .offtake = now.offtake};
+}
+
 ControlledSample Simulation::step(const ProfilePoint& now, const HealthVector& health) {
   const double n1_rpm = fan_speed_.n1_rpm(now.demand, now.flight);
   try {
-    return engine_.step({now.flight, health, scenario_.offtake}, n1_rpm, scenario_.sample_time_s);
+    return engine_.step({now.flight, health, now.offtake}, n1_rpm, scenario_.sample_time_s);
   } catch (const std::exception& e) {
     std::ostringstream text;
     text << "after " << time_s() << " s, " << describe(now.flight, "n1_rpm") << " = " << n1_rpm
@@ -109,9 +124,10 @@ bool Simulation::survives(double seconds, Flight flight, Health health_at) const
   try {
     ControlledEngine trial = engine_;
     FanSpeedDemand fan_speed = fan_speed_;
-    const double n1_rpm = fan_speed.n1_rpm(profile_.at(time_s()).demand, flight);
+    const ProfilePoint now = profile_.at(time_s());
+    const double n1_rpm = fan_speed.n1_rpm(now.demand, flight);
     for (double flown_s = 0.0; flown_s < seconds; flown_s += scenario_.sample_time_s)
-      trial.step({flight, health_at(flown_s), scenario_.offtake}, n1_rpm, scenario_.sample_time_s);
+      trial.step({flight, health_at(flown_s), now.offtake}, n1_rpm, scenario_.sample_time_s);
     return true;
   } catch (const std::exception&) {
     return false;

@@ -26,9 +26,9 @@ namespace ehm::engine_sim {
 struct SimSample {
   std::uint64_t sequence = 0;
   double time_s = 0.0;
-  FlightCondition flight;
-  Actuation actuation;
-  Geometry geometry;              ///< as the gas path felt it: vanes off their schedule
+  FlightCondition flight;         ///< as reported
+  Actuation actuation;            ///< as it is; the fuel meter's word is in `inputs`
+  Operation inputs;               ///< as reported: fuel flow, vanes off their schedule, off-take
   std::vector<Reading> readings;  ///< in the order of the engine's channels
   HealthVector health{};
   std::vector<double> auxiliary;
@@ -52,6 +52,7 @@ class Simulation : public SimulatedEngine {
   EngineSample next_sample() override;
   double time_s() const override { return static_cast<double>(sequence_) * scenario_.sample_time_s; }
   /// New engine at the start of the flight: trim of the sensors' noise, and of the description.
+  /// The engine as its file says it, without the mismatch.
   const GasPath& nominal() const { return nominal_.gas; }
 
   /// `demand`: n1_rpm or net_thrust_n
@@ -77,9 +78,11 @@ class Simulation : public SimulatedEngine {
   template <class Flight, class Health>
   bool survives(double seconds, Flight flight, Health health_at) const;
   ControlledSample step(const ProfilePoint& now, const HealthVector& health);
+  Operation reported(const ProfilePoint& now, const ControlledSample& sample) const;
 
   Scenario scenario_;
-  Turbofan turbofan_;
+  Turbofan filed_;  ///< as its file says: what trims and the demand of thrust refer to
+  Turbofan flown_;  ///< as built
   SteadyPoint nominal_;
   FlightProfile profile_;
   Deterioration deterioration_;

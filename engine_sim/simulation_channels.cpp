@@ -8,8 +8,7 @@
 namespace ehm::engine_sim {
 namespace {
 
-std::vector<double> settings(const EngineDefinition& engine, double fuel_flow_kg_s, const Geometry& geometry) {
-  Operation operation{.fuel_flow_kg_s = fuel_flow_kg_s, .geometry = geometry};
+std::vector<double> settings(const EngineDefinition& engine, Operation operation) {
   std::vector<double> values;
   for (const ControlChannel* control : engine.channels.controls) values.push_back(control->of(operation));
   return values;
@@ -27,7 +26,7 @@ EngineChannels channels_of(const Scenario& scenario, const SteadyPoint& nominal,
   const EngineDefinition& engine = *scenario.engine;
   const NamedChannels& named = engine.channels;
   EngineChannels c{engine_type(engine.data), scenario.sample_time_s, {}, {}, {}, {}};
-  const auto controls = settings(engine, nominal.gas.fuel_flow_kg_s, nominal.operation.geometry);
+  const auto controls = settings(engine, nominal.operation);
   const auto measured = true_sensors(engine, nominal.gas), auxiliary = true_auxiliary(engine, nominal.gas);
   for (std::size_t i = 0; i < controls.size(); ++i) c.actuators.push_back(described(*named.controls[i], controls[i]));
   for (std::size_t i = 0; i < measured.size(); ++i)
@@ -45,7 +44,7 @@ EngineSample Simulation::next_sample() {
   for (const HealthChannel& channel : scenario_.engine->channels.health) worn.push_back(s.health[channel.parameter]);
   return {s.sequence,
           s.flight,
-          settings(*scenario_.engine, s.actuation.fuel_flow_kg_s, s.geometry),
+          settings(*scenario_.engine, s.inputs),
           std::move(s.readings),
           std::move(worn),
           std::move(s.auxiliary)};

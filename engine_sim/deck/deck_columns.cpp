@@ -8,9 +8,6 @@ std::vector<DeckInput> make_inputs() {
   const auto required = [](const char* name, double lowest, double highest, double FlightCondition::*value) {
     return DeckInput{name, lowest, highest, true, {}, [value](Operation& o, double x) { o.flight.*value = x; }};
   };
-  const auto offtake = [](const char* name, double highest, double Offtake::*value) {
-    return DeckInput{name, 0.0, highest, false, {}, [value](Operation& o, double x) { o.offtake.*value = x; }};
-  };
   std::vector<DeckInput> inputs{required("altitude_m", -1000.0, 20000.0, &FlightCondition::altitude_m),
                                 required("mach", 0.0, 0.95, &FlightCondition::mach),
                                 required("delta_isa_k", -60.0, 60.0, &FlightCondition::delta_isa_k),
@@ -27,8 +24,6 @@ std::vector<DeckInput> make_inputs() {
                       {},
                       [of = control.of](Operation& o, double x) { of(o) = x; }});
   }
-  inputs.push_back(offtake("customer_bleed_kg_s", 100.0, &Offtake::customer_bleed_kg_s));
-  inputs.push_back(offtake("power_offtake_w", 1e7, &Offtake::power_w));
   for (std::size_t i = 0; i < health_count; ++i) {
     inputs.push_back({"health_" + std::string(health_names[i]), -0.5, 0.5, false, {}, [i](Operation& o, double x) {
                         o.health[i] = x;

@@ -97,6 +97,10 @@ constexpr ControlChannel controls[] = {
      [](Operation& o) -> double& { return o.geometry.vbv_fraction; }},
     {"A8", "ratio", "core_nozzle_area_ratio", "area of the core nozzle to its nominal one", 0.5, 2.0, 1.0,
      [](Operation& o) -> double& { return o.geometry.core_nozzle_area_ratio; }},
+    {"customer_bleed", "kg/s", "customer_bleed_kg_s", "air that the aircraft takes from the HPC", 0.0, 100.0, 1.0,
+     [](Operation& o) -> double& { return o.offtake.customer_bleed_kg_s; }},
+    {"power_offtake", "W", "power_offtake_w", "power that the aircraft takes from the HP shaft", 0.0, 1e7, 1e5,
+     [](Operation& o) -> double& { return o.offtake.power_w; }},
 };
 
 template <class Channel>

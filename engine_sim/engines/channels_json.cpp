@@ -59,6 +59,15 @@ double optional_number(JsonObject& entry, const char* key, double highest, const
   return value;
 }
 
+NoiseOf noise_of(JsonObject& entry) {
+  if (entry.find("noise_of") == nullptr) return NoiseOf::trim;
+  const std::string name = entry.text("noise_of");
+  const auto found = std::find(noise_of_names.begin(), noise_of_names.end(), name);
+  if (found == noise_of_names.end())
+    throw_field_defect(entry, "noise_of", "\"" + name + "\"", "trim or reading", "Correct the name");
+  return static_cast<NoiseOf>(found - noise_of_names.begin());
+}
+
 std::vector<SensorChannel> sensors_from(JsonObject& channels) {
   std::vector<SensorChannel> sensors;
   std::set<std::string> taken;
@@ -67,7 +76,8 @@ std::vector<SensorChannel> sensors_from(JsonObject& channels) {
     JsonObject entry(array[i], channels.file(), channels.key(place("sensors", i)));
     const OutputChannel* quantity = channel_of(entry, "name", entry.text("name"), find_output, output_names(), taken);
     SensorChannel sensor{quantity, entry.number("noise_percent")};
-    require_within(entry, "noise_percent", sensor.noise_percent, 0.0, largest_noise_percent, "percent of trim");
+    require_within(entry, "noise_percent", sensor.noise_percent, 0.0, largest_noise_percent, "percent");
+    sensor.noise_of = noise_of(entry);
     sensor.lag_s = optional_number(entry, "lag_s", largest_lag_s, "s");
     sensor.resolution = optional_number(entry, "resolution", 1e6, std::string(quantity->unit));
     entry.refuse_unknown();
@@ -111,11 +121,13 @@ NamedChannels channels_from(JsonObject& root) {
 
 Json to_json(const NamedChannels& channels) {
   Json sensors = Json::array(), auxiliary = Json::array(), controls = Json::array(), health = Json::array();
-  for (const SensorChannel& sensor : channels.sensors)
+  for (const SensorChannel& sensor : channels.sensors) {
     sensors.push_back({{"name", sensor.quantity->name},
                        {"noise_percent", sensor.noise_percent},
                        {"lag_s", sensor.lag_s},
                        {"resolution", sensor.resolution}});
+    if (sensor.noise_of != NoiseOf::trim) sensors.back()["noise_of"] = noise_of_names[as_size(sensor.noise_of)];
+  }
   for (const OutputChannel* output : channels.auxiliary) auxiliary.push_back(output->name);
   for (const ControlChannel* control : channels.controls) controls.push_back(control->name);
   for (const HealthChannel& h : channels.health)

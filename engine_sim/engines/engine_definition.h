@@ -4,7 +4,9 @@
 // is engine_file.h, the shipped ones are shipped_engines.h.
 // Errors: none. Units: those of the parts and of channel_table.h.
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine_sim/engines/channel_table.h"
@@ -13,11 +15,16 @@
 
 namespace ehm::engine_sim {
 
+/// What the percent of a sensor's noise refer to: the value at trim, which is a fixed size, or the present reading.
+enum class NoiseOf { trim, reading };
+inline constexpr std::array<std::string_view, 2> noise_of_names{"trim", "reading"};
+
 struct SensorChannel {
   const OutputChannel* quantity;
-  double noise_percent;     ///< standard deviation, of trim
+  double noise_percent;     ///< standard deviation
   double lag_s = 0.0;       ///< first order; 0: none
   double resolution = 0.0;  ///< smallest step of a reading, in the quantity's unit; 0: none
+  NoiseOf noise_of = NoiseOf::trim;
 };
 
 struct HealthChannel {

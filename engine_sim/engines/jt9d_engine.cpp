@@ -20,7 +20,8 @@ NamedChannels channels() {
                           {find_output("T30"), temperature_noise_percent},
                           {find_output("T48"), temperature_noise_percent}},
                          {find_output("T40"), find_output("T50"), find_output("Fn"), find_output("SmLPC")},
-                         {find_control("fuel_flow"), find_control("VSV"), find_control("VBV")},
+                         {find_control("fuel_flow"), find_control("VSV"), find_control("VBV"),
+                          find_control("customer_bleed"), find_control("power_offtake")},
                          {}};
   for (std::size_t i = 0; i < health_count; ++i) channels.health.push_back({static_cast<Health>(i), health_sigma});
   return channels;

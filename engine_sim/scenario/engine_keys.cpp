@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "deploy/runtime/files/file_error.h"
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/shipped_engines.h"
 
 namespace ehm::engine_sim {
@@ -73,6 +74,8 @@ void EngineKeys::declare(config::Schema& schema, Scenario& scenario) {
     schema.real(sensor_keys[i].key, sensor_values_[i], 0, sensor_keys[i].highest, sensor_keys[i].unit,
                 sensor_keys[i].description);
   }
+  schema.choice("sensors.noise_of", noise_of_, {noise_of_names.begin(), noise_of_names.end()},
+                "what the percents of noise are of: the values at the start, or what each sensor reads at the moment");
   schema.flag("control.hold_limits", scenario.control.hold_limits,
               "whether the control holds the limits below; its acceleration and deceleration schedules always act");
   for (const ControlKey& key : control_keys)
@@ -93,6 +96,9 @@ void EngineKeys::finish(const std::vector<std::string>& given, Scenario& scenari
   const auto is_given = [&](const char* key) { return std::find(given.begin(), given.end(), key) != given.end(); };
   for (std::size_t i = 0; i < sensor_values_.size(); ++i)
     if (is_given(sensor_keys[i].key)) scenario.sensors.*sensor_keys[i].value = sensor_values_[i];
+  if (is_given("sensors.noise_of"))
+    scenario.sensors.noise_of =
+        noise_of_ == noise_of_names[as_size(NoiseOf::reading)] ? NoiseOf::reading : NoiseOf::trim;
   ControlData control = scenario.engine->control;
   control.hold_limits = scenario.control.hold_limits;
   for (const ControlKey& key : control_keys)

@@ -25,7 +25,7 @@ class EngineKeys {
   void finish(const std::vector<std::string>& given, Scenario& scenario) const;
 
  private:
-  std::string model_ = "jt9d";
+  std::string model_ = "jt9d", noise_of_ = std::string(noise_of_names[0]);
   bool taken_ = false;
   std::array<double, 7> sensor_values_{};
 };

@@ -21,7 +21,8 @@ void FlightProfile::override_flight(const FlightCondition& flight) {
 }
 
 ProfilePoint FlightProfile::at(double time_s) const {
-  const auto after = std::find_if(points_.begin(), points_.end(), [&](const auto& p) { return p.time_s > time_s; });
+  const auto after = std::upper_bound(points_.begin(), points_.end(), time_s,
+                                      [](double t, const ProfilePoint& p) { return t < p.time_s; });
   ProfilePoint point;
   if (after == points_.begin()) {
     point = points_.front();
@@ -33,6 +34,8 @@ ProfilePoint FlightProfile::at(double time_s) const {
     point.flight = {std::lerp(a.flight.altitude_m, b.flight.altitude_m, s), std::lerp(a.flight.mach, b.flight.mach, s),
                     std::lerp(a.flight.delta_isa_k, b.flight.delta_isa_k, s)};
     point.demand = {a.demand.kind, std::lerp(a.demand.value, b.demand.value, s)};
+    point.offtake = {std::lerp(a.offtake.customer_bleed_kg_s, b.offtake.customer_bleed_kg_s, s),
+                     std::lerp(a.offtake.power_w, b.offtake.power_w, s)};
   }
   point.time_s = time_s;
   if (demand_overridden_) point.demand = override_.demand;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Flight condition and demand at a time: linear between the points of the profile, held outside.
+// Flight condition, demand and off-take at a time: linear between the points of the profile, held outside.
 
 #include <vector>
 

@@ -17,6 +17,8 @@ constexpr std::array refused{
     Refused{"demand.", "whose controls stay at their trims, but for [[control_change]]"},
     Refused{"control.", "whose controls stay at their trims, but for [[control_change]]"},
     Refused{"aircraft.", "which has no offtakes"},
+    Refused{"mission.", "which holds at its own operating point only"},
+    Refused{"mismatch.", "which is the truth itself"},
     Refused{"sensors.", "whose sensors have the noise, resolution and update period that it states"},
     Refused{"engine.model", "which is an engine of its own"},
     Refused{"engine.heat_soak", "whose states are what it lists"},

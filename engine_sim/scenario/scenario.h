@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine_sim/engines/jt9d_engine.h"
+#include "engine_sim/mismatch/mismatch.h"
 #include "engine_sim/model/gas_path.h"
 #include "engine_sim/model/solve/steady.h"
 #include "engine_sim/sensors/sensor_suite.h"
@@ -20,8 +21,9 @@ namespace ehm::engine_sim {
 /// A point of the flight profile; between points every quantity is interpolated linearly, outside it is held.
 struct ProfilePoint {
   double time_s = 0.0;
-  FlightCondition flight;
+  FlightCondition flight{};
   Demand demand{DemandKind::n1_rpm, 0.0};  ///< n1_rpm or net_thrust_n, the same kind in all points
+  Offtake offtake{};                       ///< what the aircraft takes
 };
 
 /// Wear of one health parameter: h(t) = initial + drift t.
@@ -64,7 +66,8 @@ struct Scenario {
   std::int64_t seed = 1;
 
   bool heat_soak = false;  ///< of the metal behind HPC, HPT and LPT
-  Offtake offtake;         ///< what the aircraft takes all the time
+  Offtake offtake;         ///< what the aircraft takes at the start, and where the profile says nothing else
+  Mismatch mismatch{};     ///< of the engine that flies and of what is reported, from the file and the truth
 
   FlightCondition flight{10668.0, 0.8, 0.0};
   /// Demand for the new engine at the start; what it gives as fan speed is what the control holds for the worn one.

@@ -21,6 +21,7 @@ using config::TableReader;
 namespace {
 
 constexpr double far_future_s = 1e9;
+constexpr double most_bleed_kg_s = 10, most_power_w = 1e6;
 constexpr double fastest_n1_rpm = 30'000;  // of any engine; the control holds the limit of this one
 
 template <class Names>
@@ -83,19 +84,23 @@ Demand profile_demand(TableReader& t) {
 }
 
 void declare_profile(Schema& schema, Scenario& s) {
-  schema.tables("profile",
-                "flight and demand over time: time_s, n1_rpm or net_thrust_n (one of them throughout), and optionally "
-                "altitude_m, mach, delta_isa_k",
-                [&s](const std::string& file, const toml::array& array) {
-                  for_each_table(file, "profile", array, [&](TableReader& t) {
-                    const FlightCondition before = s.profile.empty() ? s.flight : s.profile.back().flight;
-                    s.profile.push_back({t.real("time_s", 0, far_future_s),
-                                         {t.real_or("altitude_m", before.altitude_m, -500, 15000),
-                                          t.real_or("mach", before.mach, 0, 0.95),
-                                          t.real_or("delta_isa_k", before.delta_isa_k, -60, 60)},
-                                         profile_demand(t)});
-                  });
-                });
+  schema.tables(
+      "profile",
+      "flight and demand over time: time_s, n1_rpm or net_thrust_n (one of them throughout), and optionally "
+      "altitude_m, mach, delta_isa_k, customer_bleed_kg_s, power_w",
+      [&s](const std::string& file, const toml::array& array) {
+        for_each_table(file, "profile", array, [&](TableReader& t) {
+          const FlightCondition before = s.profile.empty() ? s.flight : s.profile.back().flight;
+          const Offtake taken = s.profile.empty() ? s.offtake : s.profile.back().offtake;
+          s.profile.push_back(
+              {t.real("time_s", 0, far_future_s),
+               {t.real_or("altitude_m", before.altitude_m, -500, 15000), t.real_or("mach", before.mach, 0, 0.95),
+                t.real_or("delta_isa_k", before.delta_isa_k, -60, 60)},
+               profile_demand(t),
+               {t.real_or("customer_bleed_kg_s", taken.customer_bleed_kg_s, 0, most_bleed_kg_s),
+                t.real_or("power_w", taken.power_w, 0, most_power_w)}});
+        });
+      });
 }
 
 void declare_health(Schema& schema, SimConfig& c) {
@@ -181,9 +186,10 @@ void declare(Schema& schema, SimConfig& c) {
                  "who measures: identifies this source on the wire");
   schema.flag("engine.heat_soak", s.heat_soak,
               "whether gas and metal behind HPC, HPT and LPT exchange heat, so that the gas path settles slowly");
-  schema.real("aircraft.customer_bleed_kg_s", s.offtake.customer_bleed_kg_s, 0, 10, "kg/s",
-              "air taken from the HPC's exit all the time");
-  schema.real("aircraft.power_w", s.offtake.power_w, 0, 1e6, "W", "power taken from the HP shaft all the time");
+  schema.real("aircraft.customer_bleed_kg_s", s.offtake.customer_bleed_kg_s, 0, most_bleed_kg_s, "kg/s",
+              "air taken from the HPC's exit, where the profile says nothing else");
+  schema.real("aircraft.power_w", s.offtake.power_w, 0, most_power_w, "W",
+              "power taken from the HP shaft, where the profile says nothing else");
   schema.real("run.sample_time_s", s.sample_time_s, 0.001, 1, "s", "time between samples");
   schema.real("run.duration_s", s.duration_s, 0, far_future_s, "s", "simulated time to fly; 0: until stopped");
   schema.integer("run.seed", s.seed, 0, 9007199254740992, "",
@@ -208,6 +214,8 @@ void declare(Schema& schema, SimConfig& c) {
   schema.real("demand.value", s.demand.value, 0, 1e6, "by kind",
               "demand at the start; the control holds the fan speed that it gives");
   c.engine_keys.declare(schema, s);
+  c.mismatch_keys.declare(schema);
+  c.mission_keys.declare(schema);
   schema.integer("dds.domain", c.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", c.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", c.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
@@ -270,6 +278,7 @@ void finish_config(SimConfig& c, const Schema& schema) {
     check_linear(schema.given(), c.scenario);
   else
     c.engine_keys.finish(schema.given(), c.scenario);
+  c.scenario.mismatch = c.mismatch_keys.value(schema.given());
   if (c.replay.file.empty() && !c.replay.column_map.empty())
     throw ConfigError("'replay.column_map' is for 'replay.file', which is not set");
   if (c.security_required && c.security.empty())
@@ -280,6 +289,7 @@ void finish_config(SimConfig& c, const Schema& schema) {
                            : c.demand_kind == "n1_rpm"       ? DemandKind::n1_rpm
                            : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n
                                                              : DemandKind::fuel_flow_kg_s;
+  c.mission_keys.finish(schema.given(), c.scenario);
   check_health_sum(c.scenario, names);
   check_profile(c.scenario.profile);
 }

@@ -7,7 +7,9 @@
 //   [linear] model                              [replay] file, column_map, stamps
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
 //   [sensors] noise, lags, quantisation         [control] hold_limits, speed_bandwidth_rad_s     [dds]      [log] level
-//   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k
+//   [mission] name, time_scale, delta_isa_k, offtake, power
+//   [mismatch] build, soak, inputs, seed, and each cause by its name (mismatch.h)
+//   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k, customer_bleed_kg_s, power_w
 //   [[wear]] parameter, initial, drift_per_hour
 //   [[health_change]] time_s, parameter, change, ramp_s
 //   [[control_change]] time_s, control, change, ramp_s     (of a linear model)
@@ -22,6 +24,8 @@
 #include "deploy/runtime/config/schema.h"
 #include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/scenario/engine_keys.h"
+#include "engine_sim/scenario/mismatch_keys.h"
+#include "engine_sim/scenario/mission_keys.h"
 #include "engine_sim/scenario/scenario.h"
 
 namespace ehm::engine_sim {
@@ -36,6 +40,8 @@ struct ReplayOptions {
 struct SimConfig {
   Scenario scenario;
   EngineKeys engine_keys;
+  MismatchKeys mismatch_keys;
+  MissionKeys mission_keys;
   ReplayOptions replay;
   std::string linear_file;  ///< file of a model to fly; empty: the turbofan flies
   /// What that file holds, once a table or finish_config has asked for it; null: the turbofan flies.

@@ -12,7 +12,7 @@ Reading Sensor::read(double truth, double time_s, double dt_s, NoiseSource& nois
 
   // The noise is drawn in every sample, so that a fault changes nothing but its own sensor.
   double value = *lagged_;
-  double sigma = options_.noise_sigma;
+  double sigma = options_.noise_sigma + options_.noise_fraction * std::abs(*lagged_);
   const double deviate = noise.normal();
   const bool holds = samples_++ % options_.held_samples != 0 && delivered_;
   if (fault_.active(time_s)) {

@@ -5,7 +5,7 @@
 //   lag           s[k] = s[k-1] + (1 - exp(-dt/tau)) (truth[k] - s[k-1]),  tau = 0: none
 //   bias          + magnitude                       unit
 //   drift         + magnitude * time since start    unit per second
-//   noise         sigma * n * (fault factor)
+//   noise         (sigma + fraction |s|) * n * (fault factor): absolute, or of the present reading
 //   stuck         repeats the last delivered value
 //   dropout       NaN, not valid
 //   quantisation  round to the next multiple of step, 0: none
@@ -35,6 +35,7 @@ struct SensorOptions {
   double lag_s = 0.0;
   double step = 0.0;
   std::uint64_t held_samples = 1;
+  double noise_fraction = 0.0;  ///< of the present reading, besides
 };
 
 struct Reading {

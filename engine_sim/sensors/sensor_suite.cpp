@@ -7,6 +7,7 @@ namespace ehm::engine_sim {
 
 std::vector<SensorChannel> overridden(std::vector<SensorChannel> sensors, const SensorOverrides& o) {
   for (SensorChannel& sensor : sensors) {
+    sensor.noise_of = o.noise_of.value_or(sensor.noise_of);
     const auto& unit = sensor.quantity->unit;
     const auto& noise = unit == "rpm"  ? o.noise_speed_percent
                         : unit == "Pa" ? o.noise_pressure_percent
@@ -41,7 +42,12 @@ SensorSuite::SensorSuite(const std::vector<SensorChannel>& channels, const Senso
     sigma_.push_back(0.01 * flying[i].noise_percent * size);
     const double step =
         overrides.quantisation_percent ? 0.01 * *overrides.quantisation_percent * size : flying[i].resolution;
-    sensors_.emplace_back(SensorOptions{.noise_sigma = sigma_[i], .lag_s = flying[i].lag_s, .step = step});
+    SensorOptions options{.lag_s = flying[i].lag_s, .step = step};
+    if (flying[i].noise_of == NoiseOf::trim)
+      options.noise_sigma = sigma_[i];
+    else
+      options.noise_fraction = 0.01 * flying[i].noise_percent;
+    sensors_.emplace_back(options);
   }
 }
 

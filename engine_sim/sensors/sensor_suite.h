@@ -19,6 +19,7 @@ struct SensorOverrides {
   std::optional<double> noise_speed_percent, noise_pressure_percent, noise_temperature_percent;
   std::optional<double> lag_speed_s, lag_pressure_s, lag_temperature_s;
   std::optional<double> quantisation_percent;  ///< of trim, every sensor; in place of its resolution
+  std::optional<NoiseOf> noise_of;             ///< every sensor
 };
 
 /// The sensors as they fly.

@@ -112,8 +112,8 @@ TEST_F(AnotherEngineTest, OtherChannelsThanTheDesignsLeadToNoEstimate) {
   EXPECT_TRUE(listener_.health.empty());
   EXPECT_THAT(
       monitor->log(),
-      HasSubstr("engine 1: a sample of source 1 cannot be used: schema 1 with 8 sensors and 3 actuators; needed "
-                "are schema 1, 7 sensors and 3 actuators"));
+      HasSubstr("engine 1: a sample of source 1 cannot be used: schema 1 with 8 sensors and 5 actuators; needed "
+                "are schema 1, 7 sensors and 5 actuators"));
 }
 
 TEST_F(AnotherEngineTest, WithTheDesignsChannelsIsNamedAndFarFromItsPoint) {

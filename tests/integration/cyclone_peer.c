@@ -100,7 +100,7 @@ static int feed(dds_entity_t participant, bool xcdr2, int count, double actuator
     s.source_id = 3;
     s.sensor_valid = (1u << sensors) - 1u;
     s.sensor_count = (uint32_t)sensors;
-    s.actuator_count = 3; /* fuel flow; vanes on schedule and bleed valves shut */
+    s.actuator_count = 5; /* fuel flow; vanes on schedule, bleed valves shut, nothing taken off */
     s.actuator[0] = actuator;
     for (int i = 0; i < sensors; ++i) s.sensor[i] = atof(sensor[i]) * (1.0 + 1e-5 * (k % 7));
     if (dds_write(writer, &s) < 0) return 1;

@@ -145,7 +145,8 @@ Eigen::MatrixXd JsonObject::matrix(const std::string& name, Eigen::Index rows, E
   Eigen::MatrixXd result(rows, cols);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const auto row = as_size(i);
-    result.row(i) = read_numbers(value[row], cols, file_, key(name) + "[" + std::to_string(row) + "]").transpose();
+    const Eigen::VectorXd numbers = read_numbers(value[row], cols, file_, key(name) + "[" + std::to_string(row) + "]");
+    for (Eigen::Index j = 0; j < cols; ++j) result(i, j) = numbers(j);  // without columns there is no row to assign
   }
   return result;
 }

@@ -83,4 +83,12 @@ GasPathStatus OnBoardEngine::evaluate(const Operation& operation, const SpoolSpe
   return status;
 }
 
+GasPathStatus OnBoardEngine::evaluate_nearby(const Turbofan& engine, const Operation& operation,
+                                             const SpoolSpeeds& speeds, GasPath& gas,
+                                             const MetalTemperatures* metal) const noexcept {
+  FlowBalance balance(engine, balance_);
+  FlowUnknowns x = last_;
+  return balance.try_solve(operation, speeds, x, gas, metal);
+}
+
 }  // namespace ehm::engine_sim

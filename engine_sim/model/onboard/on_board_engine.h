@@ -29,6 +29,11 @@ class OnBoardEngine {
   GasPathStatus evaluate(const Operation& operation, const SpoolSpeeds& speeds, GasPath& gas, GasPathJacobian& jacobian,
                          const MetalTemperatures* metal = nullptr) noexcept;
 
+  /// A slightly different engine, or this one under a slightly different operation, from the last solution; the next
+  /// evaluation starts as if this one had not been. Real-time safe: yes.
+  GasPathStatus evaluate_nearby(const Turbofan& engine, const Operation& operation, const SpoolSpeeds& speeds,
+                                GasPath& gas, const MetalTemperatures* metal = nullptr) const noexcept;
+
   /// Of the last solution.
   const FlowUnknowns& unknowns() const noexcept { return last_; }
 

@@ -19,6 +19,9 @@ class FlowBalance {
  public:
   /// `engine` must live as long as this.
   explicit FlowBalance(const Turbofan& engine) : engine_(engine) {}
+  /// Continues where `near` stands with a slightly different engine.
+  FlowBalance(const Turbofan& engine, const FlowBalance& near)
+      : engine_(engine), inverse_jacobian_(near.inverse_jacobian_) {}
 
   using Matrix = Eigen::Matrix<double, flow_unknown_count, flow_unknown_count>;
 

@@ -54,6 +54,7 @@ TEST_F(ListenTest, SwappedChannelsAreNamed) {
                                         "flight,altitude_m,m,10668,0\nflight,mach,,0.8,0\n"
                                         "actuator,fuel_flow,kg/s,0.822579,0\nactuator,VSV,deg,0,0\n"
                                         "actuator,VBV,fraction,0,0\n"
+                                        "actuator,customer_bleed,kg/s,0,0\nactuator,power_offtake,W,0,0\n"
                                         "sensor,Nf,rpm,3648.11,9.12\nsensor,Nc,rpm,7398.86,18.5\n"
                                         "sensor,P24,Pa,147310,737\nsensor,T24,K,669.311,5.02\n"
                                         "sensor,Ps30,Pa,777.689,3.89\nsensor,T30,K,389.99,2.92\n"

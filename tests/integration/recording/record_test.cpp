@@ -390,7 +390,7 @@ TEST_F(RecordTest, WhatCannotBeReadOrWrittenIsNamedBeforeAnythingStarts) {
   // The design is made for 0.015 s; the monitor's own watch allows 10 %.
   const std::string map = map_of("0.0164");
   refused(with(monitor, {"--offline", text, "--column-map", map, "--out", out}),
-          "has the actuators fuel_flow, the design needs fuel_flow, VSV, VBV");
+          "has the actuators fuel_flow, the design needs fuel_flow, VSV, VBV, customer_bleed, power_offtake");
   refused(with(monitor, {"--offline", text, "--column-map", map_of("1"), "--out", out}),
           "map.toml: 'file.sample_time_s' is 1, the design ");
   EXPECT_FALSE(std::filesystem::exists(out));

@@ -67,6 +67,8 @@ class UnitsTest : public PairTest {
     add("actuator", "fuel_flow", in("pph", "kg/s") + "column = \"fuel\"");
     add("actuator", "VSV", "column = \"vsv\"");
     add("actuator", "VBV", "column = \"vbv\"");
+    add("actuator", "customer_bleed", "value = 0.0");
+    add("actuator", "power_offtake", "value = 0.0");
     for (const Us& channel : us)
       add("sensor", channel.name, in(channel.unit, channel.si) + "column = \"" + channel.name + "\"");
     return folder_.file(name, text);

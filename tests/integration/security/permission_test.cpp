@@ -25,7 +25,7 @@ EngineSensors sensors_of(std::uint32_t engine_id) {
   sample.schema(idl::schema_version);
   sample.source_id(66);
   sample.sensor_count(7);
-  sample.actuator_count(3);
+  sample.actuator_count(5);
   return sample;
 }
 

@@ -145,7 +145,7 @@ EngineDescription bad_description(std::uint32_t engine_id, std::uint32_t source_
   d.engine_type(text());
   d.design_hash(text());
   d.sensor_count(random() % 2 ? 7u : bad_count(random));
-  d.actuator_count(random() % 2 ? 3u : bad_count(random));
+  d.actuator_count(random() % 2 ? 5u : bad_count(random));
   for (auto& channel : d.sensors()) channel.name(text()), channel.unit(text());
   for (auto& channel : d.actuators()) channel.name(text()), channel.unit(text());
   return d;

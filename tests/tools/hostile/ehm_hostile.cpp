@@ -43,7 +43,7 @@ EngineSensors stranger(const Options& options) {
   s.mach(0.8);
   s.sensor_count(7);
   s.sensor_valid(0x7f);
-  s.actuator_count(3);
+  s.actuator_count(5);
   s.sensor().fill(500.0);
   return s;
 }

@@ -104,7 +104,7 @@ const Defect defects[] = {
     {"SensorTwice", [](Json& j) { j["channels"]["sensors"][2]["name"] = "Nf"; },
      "channels.sensors[2].name is \"Nf\" again; allowed: each name once. Remove one of them."},
     {"Noise", [](Json& j) { j["channels"]["sensors"][0]["noise_percent"] = 25; },
-     "channels.sensors[0].noise_percent is 25.0; allowed: 0.0 to 20.0 (percent of trim). Correct the value."},
+     "channels.sensors[0].noise_percent is 25.0; allowed: 0.0 to 20.0 (percent). Correct the value."},
     {"NoSensor", [](Json& j) { j["channels"]["sensors"] = Json::array(); },
      "channels.sensors is 0 long; allowed: 1 to 16 channels. Correct the list."},
     {"TooManyOutputs",
@@ -115,7 +115,8 @@ const Defect defects[] = {
     {"NoFuel", [](Json& j) { j["channels"]["controls"] = {"VSV"}; },
      "channels.controls is [\"VSV\"]; allowed: a list with fuel_flow. Add it."},
     {"UnknownControl", [](Json& j) { j["channels"]["controls"][1] = "IGV"; },
-     "channels.controls[1] is \"IGV\"; allowed: fuel_flow, VSV, VBV, A8. Correct the name."},
+     "channels.controls[1] is \"IGV\"; allowed: fuel_flow, VSV, VBV, A8, customer_bleed, power_offtake. Correct the "
+     "name."},
     {"UnknownHealth", [](Json& j) { j["channels"]["health"][0]["name"] = "fan_eff"; },
      "channels.health[0].name is \"fan_eff\"; allowed: fan_efficiency, fan_flow, lpc_efficiency, lpc_flow, "
      "hpc_efficiency, hpc_flow, hpt_efficiency, hpt_flow, lpt_efficiency, lpt_flow. Correct the name."},

@@ -71,7 +71,8 @@ NamedChannels channels() {
        {find_output("T30"), 0.75},
        {find_output("T48"), 0.75}},
       {find_output("T40"), find_output("T50"), find_output("Fn"), find_output("SmHPC"), find_output("EGTM")},
-      {find_control("fuel_flow"), find_control("VSV"), find_control("VBV")},
+      {find_control("fuel_flow"), find_control("VSV"), find_control("VBV"), find_control("customer_bleed"),
+       find_control("power_offtake")},
       {}};
   for (std::size_t i = 0; i < health_count; ++i) channels.health.push_back({static_cast<Health>(i), 0.02});
   return channels;

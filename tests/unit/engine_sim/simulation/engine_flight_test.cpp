@@ -38,7 +38,7 @@ TEST(EngineFlight, TheWireHasTheChannelsOfTheFile) {
   EXPECT_EQ(c.engine_type, "high-bypass-turbofan");
   EXPECT_THAT(names(c.sensors), ElementsAre("Nf", "Nc", "P13", "P24", "T24", "Ps30", "T30", "T48"));
   EXPECT_THAT(names(c.auxiliary), ElementsAre("T40", "T50", "Fn", "SmHPC", "EGTM"));
-  EXPECT_THAT(names(c.actuators), ElementsAre("fuel_flow", "VSV", "VBV"));
+  EXPECT_THAT(names(c.actuators), ElementsAre("fuel_flow", "VSV", "VBV", "customer_bleed", "power_offtake"));
   EXPECT_DOUBLE_EQ(c.sensors[2].trim, simulation.nominal().s13.pt_pa);
   EXPECT_DOUBLE_EQ(c.sensors[2].sigma, 0.005 * simulation.nominal().s13.pt_pa);
   EXPECT_DOUBLE_EQ(c.auxiliary[4].trim, 1300.0 - simulation.nominal().s48.tt_k);  // its T48 rating

@@ -81,8 +81,8 @@ TEST(Simulation, AThrustProfileGivesItsThrust) {
 TEST(Simulation, CruiseStartsWithVanesOnScheduleAndClosedValves) {
   Simulation simulation(quiet());
   const SimSample later = fly(simulation, 200);
-  EXPECT_NEAR(later.geometry.vsv_deg, 0.0, 1e-6);
-  EXPECT_EQ(later.geometry.vbv_fraction, 0.0);
+  EXPECT_NEAR(later.inputs.geometry.vsv_deg, 0.0, 1e-6);
+  EXPECT_EQ(later.inputs.geometry.vbv_fraction, 0.0);
   EXPECT_EQ(later.actuation.active, FuelLoop::n1_governor);
 }
 

@@ -145,8 +145,8 @@ TEST_F(LineariseAtCruise, TheFleetsFitHasTheEnginesDynamics) {
   for (Eigen::Index i = 0; i < 2; ++i) EXPECT_NEAR(fit.B(i, 0) / result.model.B(i, 0), 1.0, 0.35) << i;
 }
 
-TEST_F(LineariseAtCruise, VanesAndBleedValvesAreControls) {
-  ASSERT_EQ(result.model.controls.size(), 3U);
+TEST_F(LineariseAtCruise, VanesBleedValvesAndOfftakeAreControls) {
+  ASSERT_EQ(result.model.controls.size(), 5U);
   const engine_sim::SteadyPoint trim = engine_sim::solve_steady(turbofan, options.flight, {}, options.demand);
   engine_sim::Operation closed = trim.operation;
   closed.geometry.vsv_deg = 0.01;
@@ -156,6 +156,10 @@ TEST_F(LineariseAtCruise, VanesAndBleedValvesAreControls) {
   // open bleed valves take air from behind the LPC: its pressure falls, its margin grows
   EXPECT_LT(result.model.D(2, 2), 0.0);
   EXPECT_GT(result.model.G(3, 2), 0.0);
+  // air for the cabin is missing in the burner: T48 rises; shaft power brakes the core and moves no reading at once
+  EXPECT_GT(result.model.D(6, 3), 0.0);
+  EXPECT_LT(result.model.B(1, 4), 0.0);
+  EXPECT_TRUE(result.model.D.col(4).isZero(1e-8));  // per W: what differences leave
 }
 
 TEST_F(LineariseAtCruise, HeatSoakAddsSlowStatesAndKeepsTheSteadyGain) {
