@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// The on-board estimator on flights whose truth is not its model: honest, with any sensors, and cold after a model that
+// has lost its answer. The same on whole fleets: `tuner_design study flight`.
+
+#include "monitor/onboard/on_board_estimator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/unit/monitor/onboard/on_board_flight.h"
+
+namespace ehm::onboard {
+namespace {
+
+using test::OnBoardFlight;
+
+/// Errors in sigmas: of health and auxiliary outputs, the largest of each.
+struct Errors {
+  double health = 0.0, auxiliary = 0.0;
+};
+Errors errors_of(const OnBoardFlight& flight) {
+  const auto& e = flight.estimator.estimate();
+  Errors errors;
+  for (std::size_t i = 0; i < flight.sample.health.size(); ++i)
+    errors.health = std::max(errors.health,
+                             std::abs(e.health(as_index(i)) - flight.sample.health[i]) / e.health_sigma(as_index(i)));
+  for (std::size_t i = 0; i < flight.sample.auxiliary.size(); ++i)
+    errors.auxiliary = std::max(errors.auxiliary, std::abs(e.auxiliary(as_index(i)) - flight.sample.auxiliary[i]) /
+                                                      e.auxiliary_sigma(as_index(i)));
+  return errors;
+}
+double claimed(const OnBoardFlight& flight) {
+  return flight.estimator.estimate().health_sigma.squaredNorm() * 1e4;
+}
+
+TEST(OnBoardEstimator, LearnsAPerturbedEngineOverAClimbAndKnowsHowWell) {
+  OnBoardFlight flight({.seed = 11});
+  const double at_first = 4.0 * 10.0;  // ten parameters of 2 % each
+  while (flight.time_s() < 1500.0) {
+    flight.next();
+    ASSERT_LE(flight.estimator.distance(flight.now), 1.0) << flight.time_s();
+    // 14 channels over 1500 s: four sigmas are not passed by an honest one
+    const Errors errors = errors_of(flight);
+    ASSERT_LT(errors.health, 4.5) << flight.time_s();
+    ASSERT_LT(errors.auxiliary, 5.0) << flight.time_s();
+  }
+  EXPECT_LT(claimed(flight), 0.3 * at_first);
+  EXPECT_TRUE(flight.estimator.estimate().settled);
+}
+
+TEST(OnBoardEstimator, InnovationsAreNoLargerThanItStates) {
+  OnBoardFlight flight({.seed = 12, .mismatch = {}});
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(7);
+  int count = 0;
+  while (flight.time_s() < 3000.0) {
+    flight.next();
+    if (flight.time_s() < 2000.0) continue;
+    const auto& innovation = flight.estimator.innovation();
+    sum += innovation.value.cwiseAbs2().cwiseQuotient(innovation.variance);
+    ++count;
+  }
+  // 10 000 samples tell a variance to 1.4 %. It may be too large: the rule of the early gain adds (6 % tr P/tr P(0))^2,
+  // a quarter of the noise of the speeds here.
+  for (Eigen::Index i = 0; i < sum.size(); ++i) {
+    EXPECT_GT(sum(i) / count, 0.75) << i;
+    EXPECT_LT(sum(i) / count, 1.05) << i;
+  }
+}
+
+TEST(OnBoardEstimator, AnySensorMayBeMissingFromTheStart) {
+  for (std::size_t missing = 0; missing < 7; ++missing) {
+    OnBoardFlight flight({.seed = 20 + missing, .missing = {missing}});
+    while (flight.time_s() < 900.0) flight.next();
+    const Errors errors = errors_of(flight);
+    EXPECT_LT(errors.health, 4.0) << missing;
+    EXPECT_LT(errors.auxiliary, 4.0) << missing;
+    EXPECT_FALSE(flight.estimator.estimate().sensors[missing]);
+  }
+}
+
+TEST(OnBoardEstimator, BothSpeedsMayBeMissingFromTheStart) {
+  OnBoardFlight flight({.seed = 40, .missing = {0, 1}});
+  while (flight.time_s() < 900.0) flight.next();
+  EXPECT_LT(errors_of(flight).health, 4.0);
+  EXPECT_LT(errors_of(flight).auxiliary, 4.0);
+}
+
+TEST(OnBoardEstimator, OnTheGroundAtIdleItFollowsTheSpeedsAndLearnsNothing) {
+  OnBoardFlight flight({.seed = 13, .options = {.least_n1 = 0.60}});
+  while (flight.time_s() < 200.0) flight.next();
+  EXPECT_NEAR(claimed(flight), 40.0, 0.1);
+  EXPECT_TRUE(flight.estimator.estimate().health.isZero(0.0));
+  EXPECT_LT(std::abs(flight.estimator.innovation().value(0)),
+            5.0 * std::sqrt(flight.estimator.innovation().variance(0)));
+}
+
+TEST(OnBoardEstimator, ASecondWithoutAnAnswerStartsItCold) {
+  OnBoardFlight flight({.seed = 14});
+  while (flight.time_s() < 900.0) flight.next();
+  const double learned = claimed(flight);
+  EXPECT_LT(learned, 20.0);
+  estimation::Conditions impossible = flight.now;
+  impossible.actuators(0) *= 50.0;
+  for (int k = 0; k < 12; ++k) {
+    flight.estimator.predict(flight.now, 1);
+    flight.estimator.innovate(flight.measured(), impossible);
+    flight.estimator.update(flight.fused, 1);
+    if (k == 0) {
+      EXPECT_GT(flight.estimator.distance(flight.now), 1.0);
+    }
+  }
+  EXPECT_NEAR(claimed(flight), 40.0, 1e-9);
+  for (int k = 0; k < 100; ++k) flight.next();
+  EXPECT_LE(flight.estimator.distance(flight.now), 1.0);
+  EXPECT_LT(errors_of(flight).health, 4.0);
+}
+
+TEST(OnBoardEstimator, GapsAreBridgedAndTheSpeedsFoundAgain) {
+  OnBoardFlight flight({.seed = 15});
+  while (flight.time_s() < 1700.0) flight.next();
+  flight.skip(5);
+  EXPECT_LT(errors_of(flight).auxiliary, 4.0);
+  flight.skip(300);
+  for (int k = 0; k < 50; ++k) flight.next();
+  EXPECT_LT(errors_of(flight).auxiliary, 4.0);
+  EXPECT_LT(errors_of(flight).health, 4.0);
+}
+
+TEST(OnBoardEstimator, TheSameSamplesGiveTheSameBitsAndResetForgetsAll) {
+  OnBoardFlight a({.seed = 16}), b({.seed = 16});
+  for (int k = 0; k < 3000; ++k) a.next(), b.next();
+  EXPECT_EQ(a.estimator.estimate().health, b.estimator.estimate().health);
+  EXPECT_EQ(a.estimator.estimate().auxiliary_sigma, b.estimator.estimate().auxiliary_sigma);
+  a.estimator.reset();
+  const auto fresh = b.estimator.clone();
+  EXPECT_EQ(a.estimator.estimate().health, fresh->estimate().health);
+  EXPECT_EQ(a.estimator.estimate().health_sigma, fresh->estimate().health_sigma);
+  EXPECT_FALSE(a.estimator.use({}));
+}
+
+TEST(OnBoardModel, RefusesAChannelWithoutSlopesAndReadsTheEngineWithOne) {
+  auto engine = std::make_shared<engine_sim::EngineDefinition>(*engine_sim::default_engine());
+  engine->channels.auxiliary = {engine_sim::find_output("EGTM")};
+  EXPECT_EQ(OnBoardModel(engine, {}).auxiliary()[0].sign, -1.0);
+  engine->channels.auxiliary = {engine_sim::find_output("Tm_hpt")};
+  EXPECT_THROW(OnBoardModel(engine, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ehm::onboard
