@@ -121,7 +121,8 @@ estimation::EstimatorState state_from_json(JsonObject& object, bool has_hold) {
 
 Json companions_to_json(const std::vector<CompanionState>& companions) {
   Json json = Json::object();
-  for (const CompanionState& companion : companions) state_to_json(companion.state, json[std::string(companion.name)]);
+  for (const CompanionState& companion : companions)  // one that has no state to keep begins cold
+    if (companion.state.estimate.size() > 0) state_to_json(companion.state, json[std::string(companion.name)]);
   return json;
 }
 

@@ -26,10 +26,10 @@ struct Companion {
 class CompanionEstimators {
  public:
   explicit CompanionEstimators(const std::vector<Companion>& companions) {
-    for (const Companion& companion : companions) all_.push_back({companion.name, companion.prototype->clone(), 0});
+    for (const Companion& companion : companions) all_.push_back({companion.name, companion.prototype->clone()});
   }
   CompanionEstimators(const CompanionEstimators& other) {
-    for (const Flying& one : other.all_) all_.push_back({one.name, one.estimator->clone(), 0});
+    for (const Flying& one : other.all_) all_.push_back({one.name, one.estimator->clone()});
   }
   CompanionEstimators(CompanionEstimators&&) noexcept = default;
   CompanionEstimators& operator=(const CompanionEstimators&) noexcept {
@@ -45,25 +45,53 @@ class CompanionEstimators {
       one.unseen = 0;
     }
   }
+  /// None flies in this sample, `steps` after the one before.
+  void rest(int steps) noexcept {
+    for (Flying& one : all_) {
+      one.flies = false;
+      one.unseen += steps;
+    }
+  }
+  /// Those that did not fly in the last sample start anew; the others go on.
+  void reset_idle() noexcept {
+    for (Flying& one : all_) {
+      if (one.flies) continue;
+      one.estimator->reset();
+      one.unseen = 0;
+    }
+  }
   /// Allocates nothing if there are as many `states` already.
   void save(std::vector<CompanionState>& states) const noexcept;
   /// Each goes on from its own among `states`, and its next prediction leads over `unseen` samples that it missed; without
   /// one that fits it stays as it is: cold, in a new cycle. @returns whether every one goes on.
   bool restore(const std::vector<CompanionState>& states, int unseen) noexcept;
 
+  /// Who flies this sample: all of them where the watch filter holds, else those that hold in these conditions.
+  void choose(bool at_point, const estimation::Conditions& now, int steps) noexcept {
+    for (Flying& one : all_) {
+      one.flies = at_point || one.estimator->distance(now) <= 1.0;
+      if (!one.flies) one.unseen += steps;
+    }
+  }
   void predict(estimation::SensorMask available, const estimation::Conditions& before, int steps) noexcept {
     for (Flying& one : all_) {
+      if (!one.flies) continue;
       one.estimator->use(available);
       one.estimator->predict(before, steps + std::exchange(one.unseen, 0));
     }
   }
-  void update(const estimation::SensorVector& y, const estimation::Conditions& now, estimation::SensorMask fused,
-              std::int64_t hold) noexcept {
-    for (const Flying& one : all_) {
-      one.estimator->innovate(y, now);
-      one.estimator->update(fused, hold);
-    }
+  void innovate(const estimation::SensorVector& y, const estimation::Conditions& now) noexcept {
+    for (const Flying& one : all_)
+      if (one.flies) one.estimator->innovate(y, now);
   }
+  void update(estimation::SensorMask fused, std::int64_t hold) noexcept {
+    for (const Flying& one : all_)
+      if (one.flies) one.estimator->update(fused, hold);
+  }
+  double distance(std::size_t i, const estimation::Conditions& now) const noexcept {
+    return all_[i].estimator->distance(now);
+  }
+  const estimation::Innovation& innovation(std::size_t i) const noexcept { return all_[i].estimator->innovation(); }
   void widen(double excess) noexcept {
     for (const Flying& one : all_) one.estimator->widen(excess);
   }
@@ -73,7 +101,8 @@ class CompanionEstimators {
   struct Flying {
     std::string_view name;
     std::unique_ptr<estimation::Estimator> estimator;
-    int unseen = 0;  ///< samples that the next prediction leads over
+    int unseen = 0;     ///< samples that the next prediction leads over
+    bool flies = true;  ///< in the present sample
   };
   std::vector<Flying> all_;
 };

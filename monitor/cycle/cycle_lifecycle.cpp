@@ -19,6 +19,15 @@ void MonitorCycle::restart_filter() noexcept {
   before_ = now_;
 }
 
+/// The engine is back where the watch filter's model holds: what has flown on meanwhile goes on.
+void MonitorCycle::restart_at_point() noexcept {
+  detection_.restart(accommodation_.start(watch_, supervision_), events_);
+  companions_.reset_idle();
+  fleet_.reset(events_);
+  verdict_ = {};
+  before_ = now_;
+}
+
 void MonitorCycle::restart(RestartReason reason, double jump_s) noexcept {
   ++counters_.restarts;
   if (reason != RestartReason::command) {
@@ -92,16 +101,18 @@ void MonitorCycle::withhold() noexcept {
 std::uint32_t MonitorCycle::estimate_flags() const noexcept {
   namespace flag = idl::estimate_flag;
   std::uint32_t flags = 0;
-  if (!watch_.estimate().settled) flags |= flag::converging;
+  const bool beyond = valid_ && !at_point_;
+  if (!(beyond ? result_.estimate : watch_.estimate()).settled) flags |= flag::converging;
   estimation::SensorMask served = result_.fused;
   for (int i = 0; i < sensors_; ++i)
     if (result_.reason[as_size(i)] == reason::repeated) served.set(as_size(i));
-  const estimation::SensorMask in_use = watch_.filter().sensors();
+  const estimation::SensorMask in_use = beyond ? result_.estimate.sensors : watch_.filter().sensors();
   if ((served & in_use) != in_use || intake_.replaced() > 0) flags |= flag::bridging;
-  if (!watch_.filter().sensor_set().is_full()) flags |= flag::degraded;
+  if (beyond ? static_cast<int>(in_use.count()) < sensors_ : !watch_.filter().sensor_set().is_full())
+    flags |= flag::degraded;
   if (!valid_) flags |= flag::off_design;
-  if (detection_.shifted()) flags |= flag::shifted;
-  if (fleet_.implausible()) flags |= flag::implausible;
+  if (!beyond && detection_.shifted()) flags |= flag::shifted;
+  if (!beyond && fleet_.implausible()) flags |= flag::implausible;
   return flags;
 }
 

@@ -41,18 +41,64 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   steps_ = decision.steps;
   supervision_.check(sample, steps_, result_, events_);
 
-  const bool was_valid = valid_;
+  const bool was_at_point = at_point_;
   const bool usable = intake_.usable(decision, events_);
-  valid_ = validity_.check(watch_.distance(now_), events_) && usable;
+  valid_ = validity_.check(distance_of_published(), events_) && usable;
+  at_point_ = point_.check(watch_.distance(now_)) && valid_;
   if (!valid_) {
+    companions_.rest(steps_);
     withhold();
     return true;
   }
-  if (!was_valid) restart_filter();
+  if (!at_point_) {
+    fuse_beyond_the_point();
+    return true;
+  }
+  if (!was_at_point) restart_at_point();
+  companions_.choose(true, now_, steps_);
   const bool has_design = choose_design();
   fuse(has_design);
   conclude(has_design);
   return true;
+}
+
+double MonitorCycle::distance_of_published() const noexcept {
+  return published_ == watch_filter ? watch_.distance(now_) : companions_.distance(as_size(published_), now_);
+}
+
+/// Where the watch filter's model does not hold and the published estimator's does: that one judges the readings.
+void MonitorCycle::fuse_beyond_the_point() noexcept {
+  companions_.choose(false, now_, steps_);
+  companions_.predict(supervision_.available(), before_, steps_);
+  before_ = now_;
+  companions_.innovate(supervision_.values(), now_);
+  const estimation::Innovation& innovation = companions_.innovation(as_size(published_));
+  result_.innovation = innovation.value;
+  result_.innovation_variance = innovation.variance;
+  const GateDecision gate = innovation_gate(innovation.value, innovation.variance, supervision_.plausible(result_),
+                                            options_.checks.gate_sigma);
+  result_.ratio = gate.ratio;
+  supervision_.gate(gate, {}, result_);
+  supervision_.qualify(false, result_, counters_, events_);
+  note_fused(supervision_.available());
+  companions_.update(result_.fused, supervision_.hold());
+  take_estimates();
+  result_.estimates = companions_.distance(as_size(published_), now_) <= 1.0;
+  ++(result_.estimates ? counters_.processed : counters_.withheld);
+  result_.flags = estimate_flags();
+}
+
+void MonitorCycle::note_fused(estimation::SensorMask in_use) noexcept {
+  for (int i = 0; i < sensors_; ++i) {
+    const auto s = as_size(i);
+    result_.fused[s] = result_.reason[s] == 0 && in_use[s];
+    result_.rejected[s] = !result_.fused[s];
+  }
+}
+
+void MonitorCycle::take_estimates() noexcept {
+  result_.estimate = estimate_of(published_);
+  for (std::size_t i = 0; i < shadows_.size(); ++i) result_.shadow[i] = estimate_of(shadows_[i]);
 }
 
 /// For the sensors that are left; false if there is none.
@@ -84,13 +130,10 @@ void MonitorCycle::fuse(bool has_design) noexcept {
                     result_);
   supervision_.qualify(detection_.listens(), result_, counters_, events_);
 
-  for (int i = 0; i < sensors_; ++i) {
-    const auto s = as_size(i);
-    result_.fused[s] = result_.reason[s] == 0 && in_use[s];
-    result_.rejected[s] = !result_.fused[s];
-  }
+  note_fused(in_use);
   watch_.update(result_.fused, supervision_.hold());
-  companions_.update(supervision_.values(), now_, result_.fused, supervision_.hold());
+  companions_.innovate(supervision_.values(), now_);
+  companions_.update(result_.fused, supervision_.hold());
   if (!has_design) return;
   fleet_.check(watch_.estimate().tuners, watch_.estimate().health, watch_.filter().sensor_set().missing(), events_);
   watch_.widen(fleet_.excess());
@@ -98,8 +141,7 @@ void MonitorCycle::fuse(bool has_design) noexcept {
 }
 
 void MonitorCycle::conclude(bool has_design) noexcept {
-  result_.estimate = estimate_of(published_);
-  for (std::size_t i = 0; i < shadows_.size(); ++i) result_.shadow[i] = estimate_of(shadows_[i]);
+  take_estimates();
   result_.estimates = has_design && !fleet_.withheld();
   ++(result_.estimates ? counters_.processed : counters_.withheld);
   if (!result_.estimates)
@@ -109,6 +151,10 @@ void MonitorCycle::conclude(bool has_design) noexcept {
 
 void MonitorCycle::diagnose() noexcept {
   if (!valid_) return;
+  if (!at_point_) {
+    if (result_.estimates) limits_.check(result_.estimate.health, result_.estimate.auxiliary, events_);
+    return;
+  }
   const bool has_design = accommodation_.has_design();
   verdict_ = detection_.diagnose(watch_, has_design, steps_, supervision_, result_, events_);
   if (has_design) limits_.check(result_.estimate.health, result_.estimate.auxiliary, events_);

@@ -8,7 +8,9 @@
 //
 // The two parts may be called one by one, so that an estimate is on its way before it is judged: a fault that judging
 // finds changes the estimates from the next sample on. Each station is a file of its own; this one only leads from one
-// to the next. The watch filter is the tuner filter, whichever estimator is published.
+// to the next. The watch filter is the tuner filter, whichever estimator is published. Where its model does not hold and
+// the published estimator's does, that one goes on alone and its innovations gate the readings; faults are named, and
+// the fleet is judged, by the watch filter only.
 //
 // Knows no DDS, clock, file, thread or log. Deterministic: the same samples give the same results to the bit.
 
@@ -92,6 +94,11 @@ class MonitorCycle {
  private:
   void restart(RestartReason reason, double jump_s) noexcept;
   void restart_filter() noexcept;
+  void restart_at_point() noexcept;
+  double distance_of_published() const noexcept;
+  void fuse_beyond_the_point() noexcept;
+  void note_fused(estimation::SensorMask in_use) noexcept;
+  void take_estimates() noexcept;
   estimation::Conditions conditions_of(const Sample& sample) const noexcept;
   bool choose_design() noexcept;
   void fuse(bool has_design) noexcept;
@@ -113,7 +120,8 @@ class MonitorCycle {
 
   SampleIntake intake_;
   SensorSupervision supervision_;
-  Validity validity_;
+  Validity validity_;  ///< of the published estimator
+  Within point_;       ///< of the watch filter
   Accommodation accommodation_;
   FleetWatch fleet_;
   FaultDetection detection_;
@@ -121,7 +129,8 @@ class MonitorCycle {
 
   estimation::Conditions before_, now_;  ///< at the sample before, and at this one
   int steps_ = 1;                        ///< sample times between the two
-  bool valid_ = true;                    ///< the model holds here
+  bool valid_ = true;                    ///< the published estimator's model holds here
+  bool at_point_ = true;                 ///< the watch filter's does
   Verdict verdict_;                      ///< on this sample, for the next one
   EventList events_;
   CycleCounters counters_;

@@ -77,6 +77,10 @@ struct EstimatorOptions {
   std::string published = "tuner";  ///< whose estimates go out as EngineHealth and EngineAuxiliary
   std::string shadow;               ///< whose go out under their own names beside them, with commas between
   double memory_s = 3600.0;         ///< of gauss_markov: in which it forgets what no sensor sees
+  std::string engine;               ///< of onboard: name or file; empty: the design's
+  std::string mismatch = "all";     ///< of onboard: which causes it looks for (mismatch_choices)
+  double lag_speed_s = 0.02, lag_pressure_s = 0.04, lag_temperature_s = 0.7;  ///< of onboard, where its file has none
+  std::string noise_of = "reading";  ///< of onboard: what the percents of noise are of, or "trim": the design's sigmas
   friend bool operator==(const EstimatorOptions&, const EstimatorOptions&) = default;
 };
 

@@ -8,6 +8,7 @@
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
 #include "monitor/design/make_full_order.h"
+#include "monitor/design/make_on_board.h"
 
 namespace ehm::design {
 namespace {
@@ -33,6 +34,11 @@ constexpr std::array kinds{
                      const estimation::PointDistance& distance) -> std::unique_ptr<Estimator> {
                     return std::make_unique<estimation::TimeVaryingEstimator>(make_time_varying_model(design),
                                                                               distance);
+                  }},
+    EstimatorKind{"onboard",
+                  "the nonlinear engine itself as model, from taxi to taxi, with what its build may differ by",
+                  [](const Design& design, const EstimatorOptions& options, const estimation::PointDistance&) {
+                    return make_on_board_estimator(design, options);
                   }}};
 
 const EstimatorKind* kind_of(std::string_view name) noexcept {

@@ -95,6 +95,17 @@ void declare_estimators(Schema& schema, EstimatorOptions& o) {
               "EngineAuxiliary/NAME, and recorded");
   schema.real("estimator.memory_s", o.memory_s, 1, 1e7, "s",
               "of gauss_markov: what no sensor sees returns to the fleet's mean within that time");
+  schema.text("estimator.engine", o.engine,
+              "of onboard: the engine that it flies, the name of a shipped one or an engine file; empty: the design's");
+  schema.choice("estimator.mismatch", o.mismatch, {"none", "build", "all"},
+                "of onboard: what it takes the engine to differ by from its file: nothing, its build and heat soak, or "
+                "air data and fuel meter as well");
+  schema.real("estimator.lag_speed_s", o.lag_speed_s, 0, 10, "s",
+              "of onboard: first-order lag of the speeds, where the engine file states none");
+  schema.real("estimator.lag_pressure_s", o.lag_pressure_s, 0, 10, "s", "the same of the pressures");
+  schema.real("estimator.lag_temperature_s", o.lag_temperature_s, 0, 10, "s", "the same of the temperatures");
+  schema.choice("estimator.noise_of", o.noise_of, {"reading", "trim"},
+                "of onboard: whether noise is the engine file's percent of the present reading, or the design's sigma");
 }
 
 void declare_recording(Schema& schema, MonitorConfig& m) {

@@ -194,7 +194,8 @@ TEST_F(CycleStateTest, AStateOfAnotherShapeIsRefused) {
 
 TEST_F(CycleStateTest, EstimatorsBesideGoOnWithTheSameBitsToo) {
   CycleOptions options;
-  options.estimator = {.published = "time_varying", .shadow = "gauss_markov"};
+  options.estimator.published = "time_varying";
+  options.estimator.shadow = "gauss_markov";
   for (const int flown : {20, settled}) {
     MonitorCycle first(design_, options), successor(design_, options);
     for (int i = 0; i < flown; ++i) first.process(flight_->next());
