@@ -10,6 +10,7 @@
 #include "tuner_design/cli/design_command.h"
 #include "tuner_design/cli/engine_option.h"
 #include "tuner_design/cli/fault_study_command.h"
+#include "tuner_design/cli/flight_study_command.h"
 #include "tuner_design/cli/import_options.h"
 #include "tuner_design/linearise/linearise.h"
 #include "tuner_design/print/check_text.h"
@@ -24,6 +25,7 @@ struct Arguments {
   ImportOptions import;
   SimonGargOptions options;
   FaultStudyArguments faults;
+  FlightStudyOptions flight;
   EngineOption engine;
   OutputOptions output;
 };
@@ -50,6 +52,13 @@ void run_study(Arguments arguments, const Console& console) {
   if (!of_the_paper && arguments.trim != "new")
     throw CLI::ValidationError(
         "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
+  if (arguments.study == "flight") {
+    if (!arguments.csv.empty()) throw CLI::ValidationError("--csv", "does not go with flight; --json has every number");
+    arguments.flight.engine = arguments.engine.engine();
+    arguments.flight.seed = arguments.options.seed;
+    arguments.flight.threads = arguments.options.threads;
+    return flight_study(arguments.flight, arguments.output, console);
+  }
   if (arguments.study == "faults")
     return fault_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
   if (arguments.study == "false-alarms")
@@ -90,11 +99,12 @@ void add_study_command(CLI::App& app, Action& run) {
   options.threads = long_work::all_cores();
   CLI::App* command = app.add_subcommand("study",
                                          "Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, on our engine; "
-                                         "how well the monitor finds and names faults; or its false alarms");
-  command->add_option("study", arguments->study, "Which table, faults, or false-alarms")
+                                         "how well the monitor finds and names faults; its false alarms; "
+                                         "or estimates over whole flights");
+  command->add_option("study", arguments->study, "Which table, faults, false-alarms, or flight")
       ->required()
-      ->check(
-          CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms"}));
+      ->check(CLI::IsMember(
+          {"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms", "flight"}));
   CLI::Option* model =
       command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
           ->type_name("MODEL");
@@ -104,7 +114,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->check(CLI::IsMember({"new", "half-worn"}))
       ->capture_default_str()
       ->excludes(model);
-  add_engine_option(*command, arguments->engine, "Engine of simon-garg without --model, and of faults");
+  add_engine_option(*command, arguments->engine, "Engine of simon-garg without --model, of faults, and of flight");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
@@ -113,6 +123,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->check(CLI::Range(std::size_t{10}, std::size_t{1'000'000}))
       ->capture_default_str();
   add_fault_study_options(*command, arguments->faults);
+  add_flight_study_options(*command, arguments->flight);
   add_seed_option(*command, options.seed, "Of the random starts and of the experiments");
   command->add_option("--csv,--out", arguments->csv, "Write the table (faults: a line a case) to this file too")
       ->type_name("F.csv");
