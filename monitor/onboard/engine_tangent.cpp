@@ -58,7 +58,8 @@ Eigen::Vector2d EngineTangent::rates_of(const sim::GasPath& gas) const noexcept 
 bool EngineTangent::due(const EngineMotion& motion) const noexcept {
   const OnBoardOptions& o = model_->options();
   return age_samples_ < 0 || age_samples_ * o.sample_time_s >= o.refresh_time_s ||
-         std::abs(motion.speeds.n1_rpm / renewed_n1_rpm_ - 1.0) > o.refresh_n1;
+         std::abs(motion.speeds.n1_rpm / renewed_at_.n1_rpm - 1.0) > o.refresh_speed ||
+         std::abs(motion.speeds.n2_rpm / renewed_at_.n2_rpm - 1.0) > o.refresh_speed;
 }
 
 bool EngineTangent::answer_in_balance(const sim::Operation& operation, EngineMotion& motion) noexcept {
@@ -81,7 +82,7 @@ bool EngineTangent::answer(const sim::Operation& operation, const EngineMotion& 
     const bool first = age_samples_ < 0;
     measure_soak(motion);
     renew(jacobian);
-    renewed_n1_rpm_ = motion.speeds.n1_rpm;
+    renewed_at_ = motion.speeds;
     age_samples_ = 0;
     waiting_ = layout_.cause_count;
     // without a column a cause would count as none: at the start all of them at once

@@ -4,8 +4,8 @@
 //   rates      2 x n    d(dN/dt)/dxi      percent/s
 //   readings   m x n    100/y dy/dxi      percent
 //   outputs    r x n    dz/dxi            channel units
-// Speeds and health: exact, by dual numbers (gas_path_jacobian.h), renewed when the fan speed has moved by
-// refresh_n1 or the tangent is refresh_time_s old. Causes of mismatch: the difference between the engine with one of
+// Speeds and health: exact, by dual numbers (gas_path_jacobian.h), renewed when a speed has moved by
+// refresh_speed or the tangent is refresh_time_s old. Causes of mismatch: the difference between the engine with one of
 // them at its sigma and the engine, one cause a sample in turn, so that the cost of a sample is even. What is wrong of
 // the metal is in the model itself: with conductance (1 + a) k, capacity (1 + b) C, D = T - Tm, the gas meets
 //   Te = Tm - a D,   Tm' = k (T - Te)/((1 + b) C)
@@ -98,7 +98,7 @@ class EngineTangent {
   estimation::SensorVector path_variance_;
   estimation::AuxiliaryVector path_output_variance_;
   Eigen::Vector3d soak_k_{0.0, 0.0, 0.0};
-  double renewed_n1_rpm_ = 0.0;
+  engine_sim::SpoolSpeeds renewed_at_{};
   int age_samples_ = -1;      ///< of the tangent; -1: there is none
   Eigen::Index waiting_ = 0;  ///< causes whose columns are older than the tangent
 };

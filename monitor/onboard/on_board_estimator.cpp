@@ -24,6 +24,8 @@ constexpr double measured_speed_sigma = 1.0, unmeasured_speed_sigma = 5.0;  ///<
 constexpr int longest_gap_samples = 8;
 constexpr double least_move = 0.03;  ///< of a path length
 constexpr double most_soak = 0.7;    ///< of the metal's conductance and capacity
+/// How far the metal may be from where a start puts it: a whole slam, K.
+constexpr double metal_doubt_k = 50.0;
 constexpr double longest_without_answer_s = 1.0, settling_time_s = 60.0;
 
 double square(double x) {
@@ -43,6 +45,11 @@ std::unique_ptr<estimation::Estimator> OnBoardEstimator::clone() const {
 }
 
 void OnBoardEstimator::reset() noexcept {
+  metal_known_ = false;
+  start_cold();
+}
+
+void OnBoardEstimator::start_cold() noexcept {
   const auto& health = model_->definition().channels.health;
   tangent_.forget();
   xi_.setZero(layout_.count());
@@ -103,6 +110,7 @@ void OnBoardEstimator::step(double dt_s) noexcept {
   motion_.speeds.n1_rpm += 0.01 * change(0) * design.n1_rpm;
   motion_.speeds.n2_rpm += 0.01 * change(1) * design.n2_rpm;
   tangent_.advance_metal(dt_s, motion_);
+  metal_doubt_k_ *= std::exp(-dt_s / model_->soak_time_s());
   rates_ += f * change;
   const double steps = dt_s / nominal_step_s, memory = std::exp(-std::exchange(path_, 0.0));
   covariance_.predict(tangent_, {.dt_s = dt_s,
@@ -142,7 +150,11 @@ bool OnBoardEstimator::start(const SensorVector& y, const sim::Operation& operat
   }
   const auto motion = start_motion(*model_, operation, measured, tangent_);
   if (!motion) return false;
+  const auto metal_k = motion_.metal_k;
   motion_ = *motion;
+  if (metal_known_) motion_.metal_k = metal_k;  // a start in flight: it is no more in balance than it was
+  metal_known_ = true;
+  metal_doubt_k_ = metal_doubt_k;
   covariance_.open(0, variance);
   const double theta = sim::intake(model_->engine().data().inlet, operation.flight).tt_k / sim::reference_temperature_k;
   n1_corrected_rpm_ = motion_.speeds.n1_rpm / std::sqrt(theta);
@@ -154,7 +166,7 @@ bool OnBoardEstimator::start(const SensorVector& y, const sim::Operation& operat
 void OnBoardEstimator::lose() noexcept {
   innovation_.value.setZero();
   innovation_.variance.setConstant(std::numeric_limits<double>::infinity());
-  if (++lost_ * model_->options().sample_time_s > longest_without_answer_s && begun_) reset();
+  if (++lost_ * model_->options().sample_time_s > longest_without_answer_s && begun_) start_cold();
 }
 
 /// Adds to the path that the biases forget by, and sees whether the engine stands where it teaches.
@@ -194,9 +206,10 @@ void OnBoardEstimator::weigh_readings() noexcept {
   const double early = o.early_gain_percent * covariance_.health_trace() / start_trace_;
   const double correlated = 1.0 + 2.0 * model_->soak_time_s() / o.sample_time_s;
   const SensorVector soak = o.soak_error * (tangent_.metal_readings() * tangent_.soak_k());
+  const SensorVector doubt = metal_doubt_k_ * tangent_.metal_readings().rowwise().norm();
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i)
     noise_(i) = square(model_->noise_sigma(as_size(i), lagged_(i)) / size_(i)) +
-                square(early) * nominal_step_s / o.sample_time_s + square(soak(i)) * correlated;
+                square(early) * nominal_step_s / o.sample_time_s + (square(soak(i)) + square(doubt(i))) * correlated;
 }
 
 void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
@@ -276,7 +289,9 @@ void OnBoardEstimator::read_out(const UnknownVector& change) noexcept {
   for (Eigen::Index i = 0; i < layout_.auxiliary_count; ++i) {
     const double own = covariance_.variance(z.row(i).transpose());
     estimate_.auxiliary_sigma_filter(i) = std::sqrt(own);
-    estimate_.auxiliary_sigma(i) = std::sqrt(excess_ * (own + tangent_.path_output_variance()(i) + square(soak(i))));
+    estimate_.auxiliary_sigma(i) =
+        std::sqrt(excess_ * (own + tangent_.path_output_variance()(i) + square(soak(i)) +
+                             square(metal_doubt_k_ * tangent_.metal_outputs().row(i).norm())));
   }
 }
 

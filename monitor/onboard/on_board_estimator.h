@@ -5,11 +5,12 @@
 //
 //   x- = x + dt f + dt^2/2 F f       f(x, u, h, c): the spools' rates, u held; metal: Euler
 //   y^ = y(x, u, h) (1 + (Y_c c + d)/100), lagged like its sensor       xi: unknowns.h, P: unknown_covariance.h
-//   r  = sigma^2 + (a tr Ph/tr Ph(0))^2 + s_i^2 (1 + 2 tau/dt)         in percent^2
+//   r  = sigma^2 + (a tr Ph/tr Ph(0))^2 + (s_i^2 + m_i^2) (1 + 2 tau/dt)   in percent^2
 //   z  = z(x, u, h) + Z dxi,   sigma_z^2 = Z P Z' + lambda_z^2 + s_z^2
 //
 // a: early_gain_percent. s: what the metal's heat does to a reading (or output), by soak_error: the model of the soak
-// may be wrong by that share, for as long as the metal takes (tau). The bias d is path-driven: it forgets as the
+// may be wrong by that share, for as long as the metal takes (tau); m: what 50 K do that a start may have put the metal
+// wrong by, fading with tau. A start in flight, after the model had no answer, keeps the metal. The bias d is path-driven: it forgets as the
 // engine moves,  rho = exp(-sqrt((dN1c/l_N)^2 + (dM/l_M)^2)),  and not with time.
 // Below least_n1 the readings say little of health: only the speeds are followed. A sensor that is missing is left
 // out; there is no design for that. Where the engine model has no answer for a second, the filter starts cold.
@@ -49,6 +50,7 @@ class OnBoardEstimator final : public estimation::Estimator {
   engine_sim::Operation operation_of(const estimation::Conditions& now) const noexcept;
   bool start(const estimation::SensorVector& y, const engine_sim::Operation& operation) noexcept;
   void step(double dt_s) noexcept;
+  void start_cold() noexcept;
   void lose() noexcept;
   void follow_path(const engine_sim::Operation& operation) noexcept;
   void predict_readings(bool first) noexcept;
@@ -69,6 +71,8 @@ class OnBoardEstimator final : public estimation::Estimator {
   estimation::SensorVector size_;            ///< of a percent of each reading, channel units
   estimation::Innovation innovation_;
   estimation::Estimate estimate_;
+  bool metal_known_ = false;    ///< there was an answer before the last reset
+  double metal_doubt_k_ = 0.0;  ///< of the metal's temperatures since the start, fading
   double start_trace_ = 0.0, excess_ = 1.0;
   std::int64_t samples_ = 0;
   double n1_corrected_rpm_ = 0.0, mach_ = 0.0;  ///< where the path has got to

@@ -30,10 +30,10 @@ struct OnBoardOptions {
   double path_share = 0.2, path_slope_error = 0.005;
   double path_length_n1 = 0.107;  ///< of the corrected fan speed at the design point
   double path_length_mach = 0.2;
-  double soak_error = 0.1;     ///< of what the metal's heat does to a reading
-  double least_n1 = 0.43;      ///< of the corrected fan speed at the design point: below, only the speeds are followed
-  double refresh_n1 = 0.005;   ///< relative change of fan speed after which the tangent is renewed
-  double refresh_time_s = 60;  ///< longest age of a tangent
+  double soak_error = 0.1;  ///< of what the metal's heat does to a reading
+  double least_n1 = 0.43;   ///< of the corrected fan speed at the design point: below, only the speeds are followed
+  double refresh_speed = 0.002;  ///< relative change of a speed after which the tangent is renewed
+  double refresh_time_s = 1.0;   ///< longest age of a tangent: health and flight move it too
 };
 
 /// The place of a channel among gas_path_quantity, and the sign with which it counts.

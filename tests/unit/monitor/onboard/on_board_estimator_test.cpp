@@ -62,9 +62,9 @@ TEST(OnBoardEstimator, InnovationsAreNoLargerThanItStates) {
     ++count;
   }
   // 10 000 samples tell a variance to 1.4 %. It may be too large: the rule of the early gain adds (6 % tr P/tr P(0))^2,
-  // a quarter of the noise of the speeds here.
+  // a third of the noise of the speeds here.
   for (Eigen::Index i = 0; i < sum.size(); ++i) {
-    EXPECT_GT(sum(i) / count, 0.75) << i;
+    EXPECT_GT(sum(i) / count, 0.6) << i;
     EXPECT_LT(sum(i) / count, 1.05) << i;
   }
 }
