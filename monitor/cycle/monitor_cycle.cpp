@@ -83,7 +83,7 @@ void MonitorCycle::fuse_beyond_the_point() noexcept {
   note_fused(supervision_.available());
   companions_.update(result_.fused, supervision_.hold());
   take_estimates();
-  result_.estimates = companions_.distance(as_size(published_), now_) <= 1.0;
+  result_.estimates = result_.estimate.holds;
   ++(result_.estimates ? counters_.processed : counters_.withheld);
   result_.flags = estimate_flags();
 }
@@ -142,7 +142,7 @@ void MonitorCycle::fuse(bool has_design) noexcept {
 
 void MonitorCycle::conclude(bool has_design) noexcept {
   take_estimates();
-  result_.estimates = has_design && !fleet_.withheld();
+  result_.estimates = has_design && result_.estimate.holds && !fleet_.withheld();
   ++(result_.estimates ? counters_.processed : counters_.withheld);
   if (!result_.estimates)
     for (int i = 0; i < sensors_; ++i) result_.reason[as_size(i)] |= reason::withheld;

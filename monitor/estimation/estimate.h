@@ -13,6 +13,7 @@ struct Estimate {
   AuxiliaryVector auxiliary, auxiliary_sigma, auxiliary_sigma_filter;
   TunerVector tuners;    ///< q, percent of health; of length 0 where the estimator has none
   SensorMask sensors;    ///< that it uses at present
+  bool holds = true;     ///< false: the estimator had no answer to this sample, and what stands here is older
   bool settled = false;  ///< what it did not know at its start has faded to a thousandth
 };
 

@@ -69,7 +69,8 @@ void OnBoardEstimator::start_cold() noexcept {
   estimate_.tuners.resize(0);
   path_ = 0.0;
   lost_ = 0;
-  begun_ = answered_ = teach_ = false;
+  begun_ = teach_ = false;
+  estimate_.holds = true;
   samples_ = 0;
   excess_ = 1.0;
   read_out(UnknownVector::Zero(layout_.count()));
@@ -123,14 +124,12 @@ void OnBoardEstimator::step(double dt_s) noexcept {
 void OnBoardEstimator::innovate(const SensorVector& y, const Conditions& now) noexcept {
   const sim::Operation operation = operation_of(now);
   const bool first = !begun_;
-  answered_ = (begun_ || start(y, operation)) && tangent_.answer(operation, motion_);
-  if (!answered_) return lose();
+  estimate_.holds = (begun_ || start(y, operation)) && tangent_.answer(operation, motion_);
+  if (!estimate_.holds) return lose();
   lost_ = 0;
   begun_ = true;
-  if (first)
-    covariance_.open(layout_.first_bias(), tangent_.path_variance());
-  else
-    follow_path(operation);
+  if (first) covariance_.open(layout_.first_bias(), tangent_.path_variance());
+  follow_path(operation, first);
   predict_readings(first);
   weigh_readings();
   innovation_.value = y - lagged_;
@@ -156,10 +155,6 @@ bool OnBoardEstimator::start(const SensorVector& y, const sim::Operation& operat
   metal_known_ = true;
   metal_doubt_k_ = metal_doubt_k;
   covariance_.open(0, variance);
-  const double theta = sim::intake(model_->engine().data().inlet, operation.flight).tt_k / sim::reference_temperature_k;
-  n1_corrected_rpm_ = motion_.speeds.n1_rpm / std::sqrt(theta);
-  mach_ = operation.flight.mach;
-  teach_ = n1_corrected_rpm_ >= model_->options().least_n1 * model_->design_n1_corrected_rpm();
   return true;
 }
 
@@ -167,18 +162,19 @@ void OnBoardEstimator::lose() noexcept {
   innovation_.value.setZero();
   innovation_.variance.setConstant(std::numeric_limits<double>::infinity());
   if (++lost_ * model_->options().sample_time_s > longest_without_answer_s && begun_) start_cold();
+  estimate_.holds = false;
 }
 
 /// Adds to the path that the biases forget by, and sees whether the engine stands where it teaches.
-void OnBoardEstimator::follow_path(const sim::Operation& operation) noexcept {
+void OnBoardEstimator::follow_path(const sim::Operation& operation, bool first) noexcept {
   const OnBoardOptions& o = model_->options();
   const double root_theta = std::sqrt(tangent_.gas().s2.tt_k / sim::reference_temperature_k);
   const double n1_corrected_rpm = motion_.speeds.n1_rpm / root_theta, mach = operation.flight.mach;
   const double moved =
       std::hypot((n1_corrected_rpm - n1_corrected_rpm_) / (o.path_length_n1 * model_->design_n1_corrected_rpm()),
                  (mach - mach_) / o.path_length_mach);
-  if (moved > least_move) {  // noise of the estimate is no movement
-    path_ += moved;
+  if (first || moved > least_move) {  // noise of the estimate is no movement
+    if (!first) path_ += moved;
     n1_corrected_rpm_ = n1_corrected_rpm;
     mach_ = mach;
   }
@@ -189,7 +185,7 @@ void OnBoardEstimator::predict_readings(bool first) noexcept {
   const auto& sensors = model_->definition().channels.sensors;
   const Eigen::Index known = layout_.cause_count + layout_.sensor_count;
   const SensorVector y = tangent_.readings_of(tangent_.gas());
-  size_ = 0.01 * y.cwiseAbs();
+  size_ = 0.01 * y;
   UnknownVector beside = xi_.tail(known);
   beside.head(layout_.cause_count) = linear_causes();
   const SensorVector predicted = y + size_.cwiseProduct(tangent_.readings().rightCols(known) * beside);
@@ -213,7 +209,7 @@ void OnBoardEstimator::weigh_readings() noexcept {
 }
 
 void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
-  if (!answered_) return;
+  if (!estimate_.holds) return;
   UnknownVector change = UnknownVector::Zero(layout_.count());
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) {
     if (!(fused & estimate_.sensors)[as_size(i)]) continue;
@@ -296,10 +292,10 @@ void OnBoardEstimator::read_out(const UnknownVector& change) noexcept {
 }
 
 double OnBoardEstimator::distance(const Conditions& conditions) const noexcept {
-  // Everywhere the engine model has an answer; where it has none is seen there.
+  // Wherever the atmosphere is known; where the engine has no answer the estimate says so (holds), and it tries again.
   const sim::FlightCondition flight{conditions.flight.altitude_m, conditions.flight.mach,
                                     conditions.flight.delta_isa_k};
-  return sim::covers(flight) && lost_ == 0 ? 0.0 : 2.0;
+  return sim::covers(flight) ? 0.0 : 2.0;
 }
 
 void OnBoardEstimator::save(estimation::EstimatorState& state) const noexcept {

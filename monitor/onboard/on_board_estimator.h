@@ -6,12 +6,12 @@
 //   x- = x + dt f + dt^2/2 F f       f(x, u, h, c): the spools' rates, u held; metal: Euler
 //   y^ = y(x, u, h) (1 + (Y_c c + d)/100), lagged like its sensor       xi: unknowns.h, P: unknown_covariance.h
 //   r  = sigma^2 + (a tr Ph/tr Ph(0))^2 + (s_i^2 + m_i^2) (1 + 2 tau/dt)   in percent^2
-//   z  = z(x, u, h) + Z dxi,   sigma_z^2 = Z P Z' + lambda_z^2 + s_z^2
+//   z  = z(x, u, h) + Z dxi,   sigma_z^2 = Z P Z' + lambda_z^2 + s_z^2 + m_z^2
 //
 // a: early_gain_percent. s: what the metal's heat does to a reading (or output), by soak_error: the model of the soak
-// may be wrong by that share, for as long as the metal takes (tau); m: what 50 K do that a start may have put the metal
-// wrong by, fading with tau. A start in flight, after the model had no answer, keeps the metal. The bias d is path-driven: it forgets as the
-// engine moves,  rho = exp(-sqrt((dN1c/l_N)^2 + (dM/l_M)^2)),  and not with time.
+// may be wrong by that share, for as long as the metal takes (tau). m: what 50 K do, by which a start may have put the
+// metal wrong; it fades with tau. A start in flight, after the model had no answer, keeps the metal. The bias d is
+// path-driven: it forgets as the engine moves,  rho = exp(-sqrt((dN1c/l_N)^2 + (dM/l_M)^2)),  and not with time.
 // Below least_n1 the readings say little of health: only the speeds are followed. A sensor that is missing is left
 // out; there is no design for that. Where the engine model has no answer for a second, the filter starts cold.
 // Source: theory.md, section 13. Errors: none after construction. Real-time safe: yes, all but construction.
@@ -41,21 +41,18 @@ class OnBoardEstimator final : public estimation::Estimator {
   [[nodiscard]] const estimation::Innovation& innovation() const noexcept override { return innovation_; }
   [[nodiscard]] const estimation::Estimate& estimate() const noexcept override { return estimate_; }
 
-  /// The causes of mismatch in their standard deviations, and their own.
-  UnknownVector causes() const noexcept { return xi_.segment(layout_.first_cause(), layout_.cause_count); }
-  const UnknownCovariance& covariance() const noexcept { return covariance_; }
-  const UnknownLayout& layout() const noexcept { return layout_; }
-
  private:
   engine_sim::Operation operation_of(const estimation::Conditions& now) const noexcept;
   bool start(const estimation::SensorVector& y, const engine_sim::Operation& operation) noexcept;
   void step(double dt_s) noexcept;
   void start_cold() noexcept;
   void lose() noexcept;
-  void follow_path(const engine_sim::Operation& operation) noexcept;
+  void follow_path(const engine_sim::Operation& operation, bool first) noexcept;
   void predict_readings(bool first) noexcept;
   void weigh_readings() noexcept;
   void move_by(const UnknownVector& change) noexcept;
+  /// The causes of mismatch, in their standard deviations.
+  UnknownVector causes() const noexcept { return xi_.segment(layout_.first_cause(), layout_.cause_count); }
   UnknownVector linear_causes() const noexcept;
   void set_metal() noexcept;
   void read_out(const UnknownVector& change) noexcept;
@@ -68,7 +65,7 @@ class OnBoardEstimator final : public estimation::Estimator {
   UnknownVector xi_;                         ///< the speeds' places are not used: motion_ has them
   Eigen::Vector2d rates_{0.0, 0.0};          ///< percent/s, at the estimate
   estimation::SensorVector lagged_, noise_;  ///< predicted readings; variances r, percent^2
-  estimation::SensorVector size_;            ///< of a percent of each reading, channel units
+  estimation::SensorVector size_;            ///< one percent of each predicted reading, channel units
   estimation::Innovation innovation_;
   estimation::Estimate estimate_;
   bool metal_known_ = false;    ///< there was an answer before the last reset
@@ -78,7 +75,7 @@ class OnBoardEstimator final : public estimation::Estimator {
   double n1_corrected_rpm_ = 0.0, mach_ = 0.0;  ///< where the path has got to
   double path_ = 0.0;                           ///< that the next prediction forgets by
   int lost_ = 0;                                ///< samples without an answer of the engine, in a row
-  bool begun_ = false, answered_ = false, teach_ = false;
+  bool begun_ = false, teach_ = false;
 };
 
 }  // namespace ehm::onboard

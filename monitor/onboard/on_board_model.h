@@ -17,7 +17,7 @@
 
 namespace ehm::onboard {
 
-/// Settings, in the order in which on_board_filter.h uses them.
+/// Settings of on_board_estimator.h, with its letters.
 struct OnBoardOptions {
   double sample_time_s = 0.015;
   bool build = true, soak = true, inputs = true;  ///< whether these causes of mismatch are among the unknowns

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data path with the on-board estimator published, on the nonlinear engine: it goes on where the design's point
+// ends, and an engine model that has lost its answer is asked again.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "deploy/runtime/numbers/index.h"
+#include "engine_sim/engines/jt9d_engine.h"
+#include "engine_sim/simulation.h"
+#include "idl/wire_values.h"
+#include "monitor/cycle/monitor_cycle.h"
+#include "tuner_design/design/design_tuner.h"
+#include "tuner_design/linearise/linearise.h"
+
+namespace ehm::tuner_design {
+namespace {
+
+const engine_sim::FlightCondition cruise{10668.0, 0.8, 0.0};
+
+std::shared_ptr<const design::Design> cruise_design() {
+  LineariseOptions options;
+  options.flight = cruise;
+  options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
+  options.method = LineariseMethod::perturbation;
+  return std::make_shared<const design::Design>(
+      design_tuner(linearise(engine_sim::default_engine(), options).model, {}));
+}
+
+monitor::CycleOptions published(const std::string& estimator) {
+  monitor::CycleOptions options;
+  options.estimator.published = estimator;
+  return options;
+}
+
+/// A worn engine at a constant flight condition, sample by sample through a cycle.
+class Flown {
+ public:
+  Flown(const std::string& estimator, const engine_sim::FlightCondition& flight)
+      : simulation_(scenario(flight)), cycle_(cruise_design(), published(estimator)) {}
+
+  /// True: with estimates. `fuel_factor`: of the fuel flow that is reported.
+  bool next(double fuel_factor = 1.0) {
+    const double time_s = simulation_.time_s();
+    const engine_sim::EngineSample from = simulation_.next_sample();
+    monitor::Sample to;
+    to.schema = idl::schema_version;
+    to.source_id = 1;
+    to.sequence = from.sequence;
+    to.source_time_ns = std::llround(1e9 * time_s);
+    to.flight = {from.flight.altitude_m, from.flight.mach, from.flight.delta_isa_k};
+    to.actuator_count = static_cast<std::uint32_t>(from.actuators.size());
+    to.sensor_count = static_cast<std::uint32_t>(from.sensors.size());
+    std::copy(from.actuators.begin(), from.actuators.end(), to.actuator.begin());
+    to.actuator[0] *= fuel_factor;
+    for (std::size_t i = 0; i < from.sensors.size(); ++i) {
+      to.sensor[i] = from.sensors[i].value;
+      to.sensor_valid |= 1u << i;
+    }
+    EXPECT_TRUE(cycle_.process(to));
+    return cycle_.result().estimates;
+  }
+  const monitor::MonitorCycle& cycle() const { return cycle_; }
+
+ private:
+  static engine_sim::Scenario scenario(const engine_sim::FlightCondition& flight) {
+    engine_sim::Scenario s;
+    s.flight = flight;
+    s.wear[engine_sim::hpc_efficiency].initial = -0.015;
+    return s;
+  }
+  engine_sim::Simulation simulation_;
+  monitor::MonitorCycle cycle_;
+};
+
+constexpr engine_sim::FlightCondition elsewhere{8000.0, 0.7, 5.0};
+
+TEST(BeyondThePoint, TheOnBoardEstimatorGoesOnWhereTheTunerFilterIsWithheld) {
+  Flown tuner("tuner", elsewhere), onboard("onboard", elsewhere);
+  for (int k = 0; k < 200; ++k) {
+    EXPECT_FALSE(tuner.next()) << k;
+    EXPECT_TRUE(onboard.next()) << k;
+  }
+  EXPECT_GE(onboard.cycle().result().fused.count(), 6u);  // the gate lets 3 in 10 000 good ones out
+  EXPECT_EQ(onboard.cycle().result().flags & idl::estimate_flag::off_design, 0u);
+}
+
+TEST(BeyondThePoint, AModelThatHasLostItsAnswerIsAskedAgain) {
+  for (const engine_sim::FlightCondition& flight : {elsewhere, cruise}) {
+    Flown flown("onboard", flight);
+    for (int k = 0; k < 100; ++k) ASSERT_TRUE(flown.next()) << k;
+    // a word that stays impossible is believed after a while; then no gas path burns so much fuel
+    int withheld = 0;
+    for (int k = 0; k < 60; ++k) withheld += flown.next(50.0) ? 0 : 1;
+    EXPECT_GT(withheld, 10);
+    int estimates = 0;
+    for (int k = 0; k < 400; ++k) estimates += flown.next() ? 1 : 0;
+    EXPECT_GT(estimates, 300);
+  }
+}
+
+}  // namespace
+}  // namespace ehm::tuner_design
