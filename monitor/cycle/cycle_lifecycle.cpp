@@ -12,17 +12,18 @@ namespace ehm::monitor {
 namespace reason = idl::reject_reason;
 
 void MonitorCycle::restart_filter() noexcept {
-  detection_.restart(accommodation_.start(watch_, supervision_), events_);
   companions_.reset();
-  fleet_.reset(events_);
-  verdict_ = {};
-  before_ = now_;
+  restart_watch();
 }
 
 /// The engine is back where the watch filter's model holds: what has flown on meanwhile goes on.
 void MonitorCycle::restart_at_point() noexcept {
-  detection_.restart(accommodation_.start(watch_, supervision_), events_);
   companions_.reset_idle();
+  restart_watch();
+}
+
+void MonitorCycle::restart_watch() noexcept {
+  detection_.restart(accommodation_.start(watch_, supervision_), events_);
   fleet_.reset(events_);
   verdict_ = {};
   before_ = now_;

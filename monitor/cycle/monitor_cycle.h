@@ -95,6 +95,7 @@ class MonitorCycle {
   void restart(RestartReason reason, double jump_s) noexcept;
   void restart_filter() noexcept;
   void restart_at_point() noexcept;
+  void restart_watch() noexcept;
   double distance_of_published() const noexcept;
   void fuse_beyond_the_point() noexcept;
   void note_fused(estimation::SensorMask in_use) noexcept;

@@ -37,7 +37,6 @@ struct FlightOutcome {
   double ssee_700 = 0, claim_700 = 0, ssee_landing = 0, claim_landing = 0;  ///< percent^2, of all health
   std::vector<ChannelScore> health;                                         ///< from take-off to landing
   std::vector<ChannelScore> steady, slam;  ///< of auxiliary outputs: in cruise, and in the 30 s after the slams
-  std::vector<double> mean_abs_error;      ///< of auxiliary outputs in cruise, channel units
 };
 
 /// The engine as its file says, but with the lags of a mission where the file states none, and the noise of a step, of

@@ -40,7 +40,7 @@ double greatest_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-/// What issue 15 of this project asks.
+/// What is asked of the estimator, beside what the fleets gave.
 std::vector<FlightFigure> figures_of(const std::vector<FlightFleet>& fleets) {
   const FleetResult &filed = fleets[0].result, &built = fleets[1].result, &all = fleets[2].result;
   double estimated = 1.0, covered = 1.0;

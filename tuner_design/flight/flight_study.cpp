@@ -66,13 +66,10 @@ FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<voi
     add(o.health, health);
     add(o.steady, steady);
     add(o.slam, slam);
-    r.mean_abs_error.resize(o.mean_abs_error.size());
-    for (std::size_t k = 0; k < o.mean_abs_error.size(); ++k) r.mean_abs_error[k] += o.mean_abs_error[k];
   }
   if (r.flown == 0) return r;
   const double n = static_cast<double>(r.flown);
   for (double* mean : {&r.ssee_700, &r.claim_700, &r.ssee_landing, &r.claim_landing}) *mean /= n;
-  for (double& error : r.mean_abs_error) error /= n;
   r.estimated = estimated / samples;
   r.worst_health_coverage = 1.0;
   for (std::size_t i = 0; i < health.size(); ++i) {

@@ -23,7 +23,7 @@ struct FleetResult {
   double estimated = 0.0;  ///< share of the samples
   double ssee_700 = 0, claim_700 = 0, ssee_landing = 0, claim_landing = 0, worst_landing = 0;
   double health_coverage = 0, worst_health_coverage = 0;
-  std::vector<double> steady_coverage, slam_coverage, mean_abs_error;  ///< by auxiliary output
+  std::vector<double> steady_coverage, slam_coverage;  ///< by auxiliary output
   std::vector<double> health_coverage_by_channel;
 };
 
