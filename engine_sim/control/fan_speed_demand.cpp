@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "engine_sim/control/scheduled_point.h"
+#include "engine_sim/model/parts/root_theta.h"
 
 namespace ehm::engine_sim {
 namespace {
@@ -32,8 +33,7 @@ double FanSpeedDemand::most_net_thrust_n(const FlightCondition& flight) {
 }
 
 double FanSpeedDemand::speed_limit_rpm(const FlightCondition& flight) const {
-  const double root_theta = std::sqrt(intake(engine_.data().inlet, flight).tt_k / reference_temperature_k);
-  return std::min(data_.limits.n1_rpm, data_.limits.n1_corrected_rpm * root_theta);
+  return std::min(data_.limits.n1_rpm, data_.limits.n1_corrected_rpm * root_theta(engine_.data().inlet, flight));
 }
 
 SteadyPoint FanSpeedDemand::at_speed_limit(const FlightCondition& flight) {

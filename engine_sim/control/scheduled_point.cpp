@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine_sim/control/controlled_engine.h"
+#include "engine_sim/model/parts/root_theta.h"
 #include "engine_sim/model/ratings.h"
 
 namespace ehm::engine_sim {
@@ -23,9 +24,8 @@ SteadyPoint flown_to(const Turbofan& engine, const ControlData& data, const Surr
                      double n1_demand_rpm) {
   constexpr double dt_s = 0.015, rest_rpm_s = 0.01;
   constexpr int longest = 20'000;
-  const double root_theta = std::sqrt(intake(engine.data().inlet, surroundings.flight).tt_k / reference_temperature_k);
-  const SteadyPoint middle =
-      solve_scheduled(engine, data, surroundings, {DemandKind::n1_rpm, data.middle_n1_corrected_rpm * root_theta});
+  const double middle_n1_rpm = data.middle_n1_corrected_rpm * root_theta(engine.data().inlet, surroundings.flight);
+  const SteadyPoint middle = solve_scheduled(engine, data, surroundings, {DemandKind::n1_rpm, middle_n1_rpm});
   ControlledEngine run(engine, data, middle);
   ControlledSample last = run.step(surroundings, n1_demand_rpm, dt_s);
   for (int k = 0; k < longest; ++k) {

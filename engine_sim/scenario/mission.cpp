@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine_sim/scenario/mission.h"
 
-#include <cmath>
-
-#include "engine_sim/model/parts/inlet.h"
-#include "engine_sim/model/units.h"
+#include "engine_sim/model/parts/root_theta.h"
 
 namespace ehm::engine_sim {
 namespace {
@@ -27,21 +24,17 @@ constexpr Leg legs[] = {
     {6890, 30, 0.22, 0.74, 0.5, 60e3},    {6900, 0, 0.21, 0.50, 0.3, 50e3},     {6930, 0, 0.03, 0.43, 0.3, 50e3},
     {7200, 0, 0.0, 0.43, 0.3, 50e3}};
 
-double root_theta(const EngineData& engine, const FlightCondition& flight) {
-  return std::sqrt(intake(engine.inlet, flight).tt_k / reference_temperature_k);
-}
-
 }  // namespace
 
 std::vector<ProfilePoint> two_hour_mission(const EngineData& engine, const MissionOptions& options) {
   const DesignPoint& design = engine.design;
-  const double design_n1_corrected_rpm = design.speeds.n1_rpm / root_theta(engine, design.flight);
+  const double design_n1_corrected_rpm = design.speeds.n1_rpm / root_theta(engine.inlet, design.flight);
   std::vector<ProfilePoint> profile;
   for (const Leg& leg : legs) {
     const FlightCondition flight{leg.altitude_m, leg.mach, options.delta_isa_k};
     const double share = leg.share > 0.5 ? options.power * leg.share : leg.share;
     const double n1_rpm =
-        leg.share == idle ? below_every_idle_rpm : share * design_n1_corrected_rpm * root_theta(engine, flight);
+        leg.share == idle ? below_every_idle_rpm : share * design_n1_corrected_rpm * root_theta(engine.inlet, flight);
     profile.push_back({options.time_scale * leg.time_s,
                        flight,
                        {DemandKind::n1_rpm, n1_rpm},

@@ -7,8 +7,7 @@
 #include <string>
 
 #include "engine_sim/model/onboard/gas_path_quantities.h"
-#include "engine_sim/model/parts/inlet.h"
-#include "engine_sim/model/units.h"
+#include "engine_sim/model/parts/root_theta.h"
 
 namespace ehm::onboard {
 namespace {
@@ -66,8 +65,7 @@ OnBoardModel::OnBoardModel(std::shared_ptr<const sim::EngineDefinition> engine, 
   }
   for (const sim::OutputChannel* output : definition_->channels.auxiliary) auxiliary_.push_back(place_of(*output));
   const sim::DesignPoint& design = definition_->data.design;
-  const double theta = sim::intake(definition_->data.inlet, design.flight).tt_k / sim::reference_temperature_k;
-  design_n1_corrected_rpm_ = design.speeds.n1_rpm / std::sqrt(theta);
+  design_n1_corrected_rpm_ = design.speeds.n1_rpm / sim::root_theta(definition_->data.inlet, design.flight);
   for (const sim::HeatSoakData& metal : definition_->data.metal)
     soak_time_s_ = std::max(soak_time_s_, metal.capacity_j_k / metal.conductance_w_k);
 }

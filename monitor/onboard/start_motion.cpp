@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine_sim/model/parts/inlet.h"
-#include "engine_sim/model/units.h"
+#include "engine_sim/model/parts/root_theta.h"
 
 namespace ehm::onboard {
 namespace {
@@ -20,7 +19,7 @@ std::array<double, speed_count> shares(const OnBoardModel& model, const sim::Ope
                                        const std::array<double, speed_count>& measured_rpm) {
   const sim::DesignPoint& design = model.engine().data().design;
   const sim::Intake at_design = sim::intake(model.engine().data().inlet, design.flight);
-  const double root_design = std::sqrt(at_design.tt_k / sim::reference_temperature_k);
+  const double root_design = sim::root_theta(model.engine().data().inlet, design.flight);
   const double n1 = measured_rpm[0] / design.speeds.n1_rpm * root_design / root_theta;
   const double n2 = measured_rpm[1] / design.speeds.n2_rpm * root_design / root_theta;
   if (std::isfinite(n1) && std::isfinite(n2)) return {n1, n2};
@@ -43,8 +42,8 @@ std::optional<EngineMotion> start_motion(const OnBoardModel& model, const sim::O
   if (!sim::covers(operation.flight)) return std::nullopt;
   const sim::DesignPoint& design = model.engine().data().design;
   const auto& inlet = model.engine().data().inlet;
-  const double root_theta = std::sqrt(sim::intake(inlet, operation.flight).tt_k / sim::reference_temperature_k);
-  const double root_design = std::sqrt(sim::intake(inlet, design.flight).tt_k / sim::reference_temperature_k);
+  const double root_theta = sim::root_theta(inlet, operation.flight),
+               root_design = sim::root_theta(inlet, design.flight);
   const auto share = shares(model, operation, root_theta, measured_rpm);
   EngineMotion motion;
   motion.speeds = {share[0] * design.speeds.n1_rpm * root_theta / root_design,
