@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "deploy/runtime/numbers/index.h"
+#include "monitor/checks/actuator_reach.h"
+
 namespace ehm::monitor {
 
 namespace {
@@ -13,20 +16,23 @@ struct Agility {
   double jump, slew_per_s;
 };
 
+constexpr double farthest_jumps = 1000.0;
+constexpr double anywhere = std::numeric_limits<double>::infinity();  ///< of a flight condition validity decides
 constexpr Agility altitude{100.0, 150.0}, mach{0.03, 0.1}, delta_isa{5.0, 2.0};
 
-Agility agility(const linear_model::Channel& actuator) {
+/// `reach` stands for a trim of 0.
+Agility agility(const linear_model::Channel& actuator, double reach) {
   if (actuator.unit == "deg") return {3.0, 60.0};
   if (actuator.unit == "fraction") return {0.03, 1.0};
-  if (actuator.trim == 0.0) return {std::numeric_limits<double>::infinity(), 0.0};
-  return {0.1 * std::abs(actuator.trim), std::abs(actuator.trim)};
+  const double size = actuator.trim == 0.0 ? reach : std::abs(actuator.trim);
+  return {0.1 * size, size};
 }
 
 }  // namespace
 
 WordCheck::State WordCheck::take(double word, int steps) noexcept {
   since_good_ += steps;
-  if (!std::isfinite(word)) {
+  if (!std::isfinite(word) || std::abs(word - centre_) > farthest_) {
     candidate_run_ = 0;
     return doubt();
   }
@@ -67,15 +73,19 @@ void WordCheck::reset() noexcept {
 
 ConditionCheck::ConditionCheck(const CheckOptions& options, const linear_model::LinearModel& model)
     : fault_(flight_words + model.controls.size()) {
-  const auto add = [&](const Agility& a, double otherwise) {
-    words_.emplace_back(a.jump, a.slew_per_s * model.sample_time_s, options);
+  const auto add = [&](const Agility& a, double otherwise, double farthest) {
+    words_.emplace_back(a.jump, a.slew_per_s * model.sample_time_s, otherwise, farthest, options);
     otherwise_.push_back(otherwise);
   };
   const auto point = model.operating_point.value_or(linear_model::OperatingPoint{});
-  add(altitude, point.altitude_m);
-  add(mach, point.mach);
-  add(delta_isa, point.delta_isa_k);
-  for (const auto& actuator : model.controls) add(agility(actuator), actuator.trim);
+  add(altitude, point.altitude_m, anywhere);
+  add(mach, point.mach, anywhere);
+  add(delta_isa, point.delta_isa_k, anywhere);
+  const Eigen::VectorXd reach = actuator_reach(model);
+  for (std::size_t i = 0; i < model.controls.size(); ++i) {
+    const Agility a = agility(model.controls[i], reach(as_index(i)));
+    add(a, model.controls[i].trim, farthest_jumps * a.jump);
+  }
 }
 
 bool ConditionCheck::mend(Sample& sample, int steps, EventList& events) noexcept {

@@ -6,12 +6,13 @@
 //   |word - good| > jump + slew * time      altitude 100 m + 150 m/s, Mach 0.03 + 0.1/s, ambient 5 K + 2 K/s
 //                                           actuator 10 % of trim + 100 %/s; in degrees 3 + 60/s; fraction 0.03 + 1/s
 //
-// An actuator with zero trim in another unit is only asked to be finite. A bad word is replaced by the last good one,
-// for checks.bridge_samples at most, so that neither filter nor validity sees it. What lasts longer:
+// or an actuator farther than a thousand such jumps from its trim, which no engine survives. With a trim of 0 in another
+// unit its reach (actuator_reach.h) stands for the trim. A bad word is replaced by the last good one, for
+// checks.bridge_samples at most, so that neither filter nor validity sees it. What lasts longer:
 //
 //   moved    the words agree among each other, at another place: they are believed from then on (a real step of the
 //            operating point, which ends the estimates by the validity check, that much later)
-//   lost     they are not finite, or agree with nothing; or no good one has been there yet: no estimate is honest
+//   lost     they are not finite, too far, or agree with nothing; or no good one has been there yet: no estimate is honest
 //
 // Either raises condition_fault once, cleared after checks.requalify_samples good words; until then a return to the
 // place before a move is believed at once. Real-time safe: yes, after construction.
@@ -34,8 +35,14 @@ class WordCheck {
  public:
   enum class State { good, held, moved, lost };
 
-  WordCheck(double jump, double slew_per_sample, const CheckOptions& options)
-      : jump_(jump), slew_(slew_per_sample), bridge_(options.bridge_samples), requalify_(options.requalify_samples) {}
+  /// A word farther from `centre` than `farthest` is as bad as one that is not finite.
+  WordCheck(double jump, double slew_per_sample, double centre, double farthest, const CheckOptions& options)
+      : jump_(jump),
+        slew_(slew_per_sample),
+        centre_(centre),
+        farthest_(farthest),
+        bridge_(options.bridge_samples),
+        requalify_(options.requalify_samples) {}
 
   /// Takes a word, `steps` sample times after the last one.
   State take(double word, int steps) noexcept;
@@ -50,7 +57,7 @@ class WordCheck {
   State believe(double word, State state) noexcept;
   State doubt() noexcept;
 
-  double jump_, slew_;
+  double jump_, slew_, centre_, farthest_;
   std::int64_t bridge_, requalify_;
   double good_ = 0.0, before_ = 0.0, candidate_ = 0.0;
   bool has_good_ = false, has_before_ = false;

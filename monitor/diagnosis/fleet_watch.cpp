@@ -88,6 +88,8 @@ void FleetWatch::check(const estimation::TunerVector& tuners, const estimation::
   const auto set = as_size(1 + missing);
   const FleetTable& table = *(*tables_)[set];
   const double distance2 = table.distance2(tuners);
+  overflown_ = !std::isfinite(distance2);
+  if (overflown_) return;
   excess_ = table.excess(distance2);
 
   const double distance = std::sqrt(std::max(0.0, distance2)), limit = distance_limits_[set];
@@ -131,7 +133,7 @@ void FleetWatch::reset(EventList& events) noexcept {
   far_together_ = withheld_ = {};
   unlikely_.reassess(idl::EventKind::unlikely_engine, 0, events);
   excess_ = 1.0;
-  implausible_ = false;
+  implausible_ = overflown_ = false;
 }
 
 }  // namespace ehm::monitor

@@ -78,7 +78,7 @@ class FleetWatch {
   /// Farther out than the fleet's engines, by any of the events.
   bool implausible() const noexcept { return implausible_; }
   /// Too far out for any estimate.
-  bool withheld() const noexcept { return withheld_.raised; }
+  bool withheld() const noexcept { return overflown_ || withheld_.raised; }
 
  private:
   /// A limit that must be exceeded for a while, and is left again at once.
@@ -99,7 +99,7 @@ class FleetWatch {
   std::vector<Condition> implausible_health_;
   Condition unlikely_;
   double excess_ = 1.0;
-  bool implausible_ = false;
+  bool implausible_ = false, overflown_ = false;  ///< a distance that is no number: no estimate is one either
 };
 
 }  // namespace ehm::monitor

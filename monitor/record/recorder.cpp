@@ -129,7 +129,7 @@ void Recorder::attempt(Step step) {
 }
 
 void Recorder::run() {
-  recording::silence_hdf5_errors();
+  recording::prepare_hdf5();
   // The flag is read before the queue: what was queued before the stop is still written.
   for (bool last = false; !last;) {
     last = stop_.load(std::memory_order_acquire);

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+
+#include "monitor/checks/actuator_reach.h"
 
 namespace {
 
@@ -150,6 +153,45 @@ TEST_F(ConditionCheckTest, AfterALossOfSamplesMoreIsPlausible) {
   Sample s = good();
   s.flight.altitude_m += 250.0;  // 100 m + 150 m/s * 1.5 s
   EXPECT_EQ(offer(s, 100).flight.altitude_m, s.flight.altitude_m);
+}
+
+/// One state, one sensor, a bleed that is closed at trim:  g = D + C B/(1 - A) = -1 + 2 (-1)/0.5 = -5 K per kg/s.
+linear_model::LinearModel with_bleed() {
+  linear_model::LinearModel model = cruise();
+  model.sensors = {{"T48", "K", 1000.0}};
+  model.controls.push_back({"customer_bleed", "kg/s", 0.0});
+  model.A = Eigen::MatrixXd::Constant(1, 1, 0.5);
+  model.B = Eigen::MatrixXd{{0.0, 0.0, -1.0}};
+  model.C = Eigen::MatrixXd::Constant(1, 1, 2.0);
+  model.D = Eigen::MatrixXd{{0.0, 0.0, -1.0}};
+  return model;
+}
+
+TEST_F(ConditionCheckTest, AnActuatorWithoutATrimIsMeasuredByWhatItDoes) {
+  EXPECT_NEAR(actuator_reach(with_bleed())(2), 200.0, 1e-9);
+  EXPECT_TRUE(std::isinf(actuator_reach(with_bleed())(0)));  // moves nothing
+  check_ = ConditionCheck{CheckOptions{}, with_bleed()};
+  Sample s = good();
+  s.actuator[2] = 2.0;
+  for (int k = 0; k < 10; ++k) EXPECT_EQ(offer(s).actuator[2], 2.0);
+  s.actuator[2] = 15.0;  // a tenth of the reach is 20
+  EXPECT_EQ(offer(s).actuator[2], 15.0);
+  s.actuator[2] = 80.0;
+  EXPECT_EQ(offer(s).actuator[2], 15.0);
+  EXPECT_TRUE(usable_);
+}
+
+TEST_F(ConditionCheckTest, AWordThatNoEngineSurvivesIsNotBelievedEvenAsTheFirst) {
+  check_ = ConditionCheck{CheckOptions{}, with_bleed()};
+  for (const std::size_t actuator : {0u, 2u}) {
+    check_.reset(events_);
+    Sample s = good();
+    s.actuator[actuator] = 5.6e89;  // found by the fuzzer: estimates of 1e83 with a sigma that was no number
+    for (int k = 0; k < 3 * static_cast<int>(lasts); ++k) {
+      EXPECT_EQ(offer(s).actuator[actuator], actuator == 0 ? 1.0 : 0.0);
+      EXPECT_FALSE(usable_);
+    }
+  }
 }
 
 }  // namespace

@@ -174,4 +174,18 @@ TEST_F(FleetWatchTest, ABiasFromTheFirstSampleStandsOut) {
   }
 }
 
+TEST_F(FleetWatchTest, ADistanceThatIsNoNumberIsNoEstimate) {
+  FleetWatch watch(FleetOptions{}, design_->model, PreparedDesign(design_).fleet);
+  EventList events;
+  const Eigen::Index t = design_->full.V.rows();
+  const estimation::HealthVector health = estimation::HealthVector::Zero(10);
+  watch.check(estimation::TunerVector::Zero(t), health, -1, events);
+  EXPECT_FALSE(watch.withheld());
+  watch.check(estimation::TunerVector::Constant(t, 1e200), health, -1, events);  // its square is infinite
+  EXPECT_TRUE(watch.withheld());
+  EXPECT_EQ(watch.excess(), 1.0);  // sigmas stay numbers
+  watch.check(estimation::TunerVector::Zero(t), health, -1, events);
+  EXPECT_FALSE(watch.withheld());
+}
+
 }  // namespace
