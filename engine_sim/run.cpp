@@ -80,11 +80,11 @@ class Link {
   struct Ends {
     explicit Ends(const SimConfig& config)
         : participant(config, "engine_sim " + std::to_string(config.scenario.engine_id)),
-          publisher(participant, static_cast<std::uint32_t>(config.scenario.engine_id),
+          publisher(participant.get(), static_cast<std::uint32_t>(config.scenario.engine_id),
                     static_cast<std::uint32_t>(config.scenario.source_id)),
-          commands(participant, config.scenario) {
+          commands(participant.get(), config.scenario) {
       if (config.rate_factor() == 0.0)
-        lockstep.emplace(participant, static_cast<std::uint32_t>(config.scenario.engine_id),
+        lockstep.emplace(participant.get(), static_cast<std::uint32_t>(config.scenario.engine_id),
                          static_cast<std::uint64_t>(config.lockstep_window));
     }
     WatchedParticipant participant;

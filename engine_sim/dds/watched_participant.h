@@ -28,7 +28,7 @@ class WatchedParticipant {
           [](const auto& text, auto times) { spdlog::warn("{}", service::incident_text(text, times)); },
           idl::examine_identity(config.security).expires_s);
   }
-  operator idl::Participant&() { return *participant_; }
+  idl::Participant& get() { return *participant_; }
   double held_up_s() noexcept { return participant_->held_up_s(); }
 
  private:

@@ -85,8 +85,8 @@ class Replay {
   /// Its place in DDS, made anew when the process was held up for so long that others have dropped it.
   struct Ends {
     explicit Ends(const SimConfig& config)
-        : participant(config, "engine_sim replay"), sensors(participant), descriptions(participant) {
-      if (config.rate_factor() == 0.0) answers.emplace(participant, as_size(config.lockstep_window));
+        : participant(config, "engine_sim replay"), sensors(participant.get()), descriptions(participant.get()) {
+      if (config.rate_factor() == 0.0) answers.emplace(participant.get(), as_size(config.lockstep_window));
     }
     std::uint64_t unanswered() const { return answers ? answers->unanswered() : 0; }
     WatchedParticipant participant;

@@ -180,7 +180,9 @@ Json vector_to_json(const Eigen::VectorXd& vector, const std::string& file, cons
 Json to_json(const Eigen::MatrixXd& matrix, const std::string& file, const std::string& key) {
   Json result = Json::array();
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    result.push_back(vector_to_json(matrix.row(i).transpose(), file, key + "[" + std::to_string(i) + "]"));
+    // a row of a matrix without columns is no place in memory, not even to point at
+    const Eigen::VectorXd row = matrix.cols() > 0 ? Eigen::VectorXd(matrix.row(i).transpose()) : Eigen::VectorXd();
+    result.push_back(vector_to_json(row, file, key + "[" + std::to_string(i) + "]"));
   }
   return result;
 }

@@ -12,7 +12,7 @@ namespace ehm::recording {
 using files::FileError;
 
 FileReader::FileReader(const std::string& path) : path_(path) {
-  silence_hdf5_errors();
+  prepare_hdf5();
   open();
   read_info();
   open_tables();

@@ -15,7 +15,8 @@ herr_t innermost(unsigned level, const H5E_error2_t* error, void* text) {
 
 }  // namespace
 
-void silence_hdf5_errors() {
+void prepare_hdf5() {
+  H5dont_atexit();  // a second time it does nothing
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

@@ -27,15 +27,17 @@ class Hdf5Object {
   ~Hdf5Object() {
     if (id_ >= 0) close_(id_);
   }
-  operator hid_t() const { return id_; }
+  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor): to be handed to HDF5 as its own
 
  private:
   hid_t id_ = -1;
   Close close_ = nullptr;
 };
 
-/// HDF5 prints its errors on stderr by itself; this makes the calling thread's ones silent: they become exceptions.
-void silence_hdf5_errors();
+/// To be called by each thread before its first call of HDF5. The library prints errors on stderr by itself; this makes
+/// the calling thread's ones silent: they become exceptions. And it does without the library's own end at exit, which
+/// crashes on a file that could not be closed, on a full disk; handles close themselves.
+void prepare_hdf5();
 
 [[noreturn]] void fail(const std::string& file, const std::string& action);
 

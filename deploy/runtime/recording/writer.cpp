@@ -27,7 +27,7 @@ Text padded(const std::string& text) {
 }  // namespace
 
 Writer::Writer(const std::string& path, const FileInfo& info) : path_(path), channels_(info.channels) {
-  silence_hdf5_errors();
+  prepare_hdf5();
   const Hdf5Object access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   // The single-writer mode needs the file format of HDF5 1.10.
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), path_, "choose the file format");

@@ -65,11 +65,11 @@ void draw_cell(Svg& svg, const HeatMap& map, const Layout& layout, Eigen::Index 
 }
 
 void draw_scale(Svg& svg, const HeatMap& map, const Layout& layout, double width, double top) {
-  constexpr int steps = 11;
+  constexpr int middle = 5, steps = 2 * middle + 1;
   constexpr double step_px = 14.0, height = 10.0;
   const double left = std::min(layout.left, width - steps * step_px - 30.0);
   for (int i = 0; i < steps; ++i) {
-    const double value = (i - steps / 2) / static_cast<double>(steps / 2);
+    const double value = (i - middle) / static_cast<double>(middle);
     svg.rect(left + i * step_px, top, step_px, height, value < 0.0 ? "cell negative" : "cell positive",
              fmt::format("fill-opacity=\"{:.2f}\"", std::abs(value)));
   }
