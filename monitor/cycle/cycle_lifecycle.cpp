@@ -112,7 +112,7 @@ std::uint32_t MonitorCycle::estimate_flags() const noexcept {
   if (beyond ? static_cast<int>(in_use.count()) < sensors_ : !watch_.filter().sensor_set().is_full())
     flags |= flag::degraded;
   if (!valid_) flags |= flag::off_design;
-  if (!beyond && detection_.shifted()) flags |= flag::shifted;
+  if (beyond ? result_.estimate.stepped >= 0 : detection_.shifted()) flags |= flag::shifted;
   if (!beyond && fleet_.implausible()) flags |= flag::implausible;
   return flags;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/cycle/fault_detection.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "deploy/runtime/numbers/index.h"
@@ -111,6 +112,21 @@ void FaultDetection::settle_ambiguity(bool decided, EventList& events) noexcept 
   ambiguous_.set(!over, {.kind = idl::EventKind::ambiguous_fault, .channel = ambiguous_channel_}, events);
 }
 
+void FaultDetection::follow(const estimation::Estimate& published, EventList& events) noexcept {
+  const bool stepped = published.stepped >= 0;
+  const auto channel = static_cast<std::uint32_t>(std::max(published.stepped, 0));
+  if (published_step_.raised() && (!stepped || channel != stepped_channel_))
+    published_step_.set(false, {.kind = idl::EventKind::health_shift, .channel = stepped_channel_}, events);
+  if (!stepped) return;
+  stepped_channel_ = channel;
+  published_step_.set(true,
+                      {.kind = idl::EventKind::health_shift,
+                       .channel = channel,
+                       .value = published.step,
+                       .threshold = published.least_step},
+                      events);
+}
+
 void FaultDetection::restart(int missing, EventList& events) noexcept {
   if (missing < 0)
     detector_.reset();
@@ -119,6 +135,7 @@ void FaultDetection::restart(int missing, EventList& events) noexcept {
   ungated_.reset();
   shift_.reset();
   slow_bias_.reset(events);
+  published_step_.reassess(idl::EventKind::health_shift, stepped_channel_, events);
   ambiguous_.reassess(idl::EventKind::ambiguous_fault, ambiguous_channel_, events);
 }
 

@@ -35,6 +35,9 @@ class FaultDetection {
   Verdict diagnose(const estimation::TunerEstimator& watch, bool has_design, int steps, SensorSupervision& supervision,
                    CycleResult& result, EventList& events) noexcept;
 
+  /// Where the watch filter's model does not hold: the step of health that the published estimator has found by itself.
+  void follow(const estimation::Estimate& published, EventList& events) noexcept;
+
   /// The watch filter starts cold, without sensor `missing` (-1: with all).
   void restart(int missing, EventList& events) noexcept;
   /// It goes on where another one of its design stopped; deaf for so many samples.
@@ -70,8 +73,8 @@ class FaultDetection {
   UngatedFilter ungated_;
   ShiftDetector shift_;
   SlowBias slow_bias_;
-  Condition ambiguous_;
-  std::uint32_t ambiguous_channel_ = 0;
+  Condition ambiguous_, published_step_;
+  std::uint32_t ambiguous_channel_ = 0, stepped_channel_ = 0;
   std::int64_t unambiguous_samples_ = 0;
 };
 

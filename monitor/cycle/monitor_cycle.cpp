@@ -152,6 +152,7 @@ void MonitorCycle::conclude(bool has_design) noexcept {
 void MonitorCycle::diagnose() noexcept {
   if (!valid_) return;
   if (!at_point_) {
+    detection_.follow(result_.estimate, events_);
     if (result_.estimates) limits_.check(result_.estimate.health, result_.estimate.auxiliary, events_);
     return;
   }

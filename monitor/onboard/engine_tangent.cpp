@@ -24,6 +24,7 @@ EngineTangent::EngineTangent(std::shared_ptr<const OnBoardModel> model)
       metal_rates_(decltype(metal_rates_)::Zero()),
       metal_by_metal_(Eigen::Matrix3d::Zero()),
       metal_by_cause_(decltype(metal_by_cause_)::Zero()),
+      settled_health_(HealthReadings::Zero(layout_.sensor_count, layout_.health_count)),
       direct_metal_readings_(MetalReadings::Zero(layout_.sensor_count, 3)),
       metal_readings_(direct_metal_readings_),
       direct_metal_outputs_(MetalOutputs::Zero(layout_.auxiliary_count, 3)),
@@ -217,6 +218,10 @@ void EngineTangent::settle() noexcept {
     return sum;
   };
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) path_variance_(i) = variance(readings_, i);
+  const auto by_health = [&](const auto& slopes) {
+    return slopes.middleCols(UnknownLayout::first_health(), layout_.health_count);
+  };
+  settled_health_ = by_health(readings_) + readings_.leftCols<speed_count>() * back * by_health(rates_);
   for (Eigen::Index i = 0; i < layout_.auxiliary_count; ++i) path_output_variance_(i) = variance(outputs_, i);
   metal_readings_ = direct_metal_readings_ + readings_.leftCols<speed_count>() * back * metal_rates_;
   metal_outputs_ = direct_metal_outputs_ + outputs_.leftCols<speed_count>() * back * metal_rates_;

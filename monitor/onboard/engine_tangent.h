@@ -36,6 +36,7 @@ class EngineTangent {
  public:
   using Rates = estimation::BoundedMatrix<speed_count, max_unknowns>;
   using Readings = estimation::BoundedMatrix<estimation::max_sensors, max_unknowns>;
+  using HealthReadings = estimation::BoundedMatrix<estimation::max_sensors, most_health>;
   using Outputs = estimation::BoundedMatrix<estimation::max_auxiliary, max_unknowns>;
   using MetalReadings = estimation::BoundedMatrix<estimation::max_sensors, 3>;
   using MetalOutputs = estimation::BoundedMatrix<estimation::max_auxiliary, 3>;
@@ -59,6 +60,8 @@ class EngineTangent {
   const Rates& rates() const noexcept { return rates_; }
   const Readings& readings() const noexcept { return readings_; }
   const Outputs& outputs() const noexcept { return outputs_; }
+  /// Of the readings by health, the speeds having come to rest; percent.
+  const HealthReadings& settled_health() const noexcept { return settled_health_; }
   /// Gas minus metal, K.
   const Eigen::Vector3d& soak_k() const noexcept { return soak_k_; }
   const MetalReadings& metal_readings() const noexcept { return metal_readings_; }
@@ -93,6 +96,7 @@ class EngineTangent {
   Eigen::Matrix<double, speed_count, 3> metal_rates_;
   Eigen::Matrix3d metal_by_metal_;              ///< M, 1/s
   Eigen::Matrix<double, 3, 2> metal_by_cause_;  ///< S of conductance and capacity, K
+  HealthReadings settled_health_;
   MetalReadings direct_metal_readings_, metal_readings_;
   MetalOutputs direct_metal_outputs_, metal_outputs_;
   estimation::SensorVector path_variance_;

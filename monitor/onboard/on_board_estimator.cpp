@@ -27,6 +27,7 @@ constexpr double most_soak = 0.7;    ///< of the metal's conductance and capacit
 /// How far the metal may be from where a start puts it: a whole slam, K.
 constexpr double metal_doubt_k = 50.0;
 constexpr double longest_without_answer_s = 1.0, settling_time_s = 60.0;
+constexpr double step_lasts_s = 60.0;  ///< after it was found
 
 double square(double x) {
   return x * x;
@@ -35,7 +36,13 @@ double square(double x) {
 }  // namespace
 
 OnBoardEstimator::OnBoardEstimator(std::shared_ptr<const OnBoardModel> model)
-    : model_(std::move(model)), layout_(*model_), tangent_(model_), covariance_(layout_) {
+    : model_(std::move(model)),
+      layout_(*model_),
+      tangent_(model_),
+      prior_(learned_nothing(*model_)),
+      covariance_(layout_),
+      steps_(layout_, model_->options()),
+      fleet_trace_(prior_.covariance.diagonal().head(layout_.health_count).sum()) {
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) estimate_.sensors.set(as_size(i));
   reset();
 }
@@ -50,18 +57,18 @@ void OnBoardEstimator::reset() noexcept {
 }
 
 void OnBoardEstimator::start_cold() noexcept {
-  const auto& health = model_->definition().channels.health;
   tangent_.forget();
   xi_.setZero(layout_.count());
-  UnknownVector sigma = UnknownVector::Zero(layout_.count());
-  for (std::size_t i = 0; i < health.size(); ++i)
-    sigma(UnknownLayout::first_health() + as_index(i)) = 100.0 * health[i].sigma;
-  sigma.segment(layout_.first_cause(), layout_.cause_count).setOnes();
-  covariance_.start(sigma);
-  start_trace_ = covariance_.health_trace();
+  xi_.segment(UnknownLayout::first_health(), prior_.value.size()) = prior_.value;
+  set_metal();
+  covariance_.start(prior_.covariance);
   rates_.setZero();
   lagged_.setZero(layout_.sensor_count);
   noise_.setOnes(layout_.sensor_count);
+  doubt_.noise.setOnes(layout_.sensor_count);
+  doubt_.slow.setZero(layout_.sensor_count);
+  steps_.reset();
+  estimate_.stepped = -1;
   size_.setOnes(layout_.sensor_count);
   innovation_.value.setZero(layout_.sensor_count);
   innovation_.variance.setZero(layout_.sensor_count);
@@ -74,6 +81,16 @@ void OnBoardEstimator::start_cold() noexcept {
   samples_ = 0;
   excess_ = 1.0;
   read_out(UnknownVector::Zero(layout_.count()));
+}
+
+Learned OnBoardEstimator::learned() const noexcept {
+  const Eigen::Index first = UnknownLayout::first_health(), n = layout_.health_count + layout_.cause_count;
+  return {xi_.segment(first, n), covariance_.matrix().block(first, first, n, n)};
+}
+
+void OnBoardEstimator::begin_with(const Learned& prior) noexcept {
+  prior_ = prior;
+  reset();
 }
 
 bool OnBoardEstimator::use(SensorMask available) noexcept {
@@ -151,6 +168,7 @@ bool OnBoardEstimator::start(const SensorVector& y, const sim::Operation& operat
   if (!motion) return false;
   const auto metal_k = motion_.metal_k;
   motion_ = *motion;
+  set_metal();
   if (metal_known_) motion_.metal_k = metal_k;  // a start in flight: it is no more in balance than it was
   metal_known_ = true;
   metal_doubt_k_ = metal_doubt_k;
@@ -199,17 +217,22 @@ void OnBoardEstimator::predict_readings(bool first) noexcept {
 
 void OnBoardEstimator::weigh_readings() noexcept {
   const OnBoardOptions& o = model_->options();
-  const double early = o.early_gain_percent * covariance_.health_trace() / start_trace_;
+  const double early = o.early_gain_percent * covariance_.health_trace() / fleet_trace_;
   const double correlated = 1.0 + 2.0 * model_->soak_time_s() / o.sample_time_s;
   const SensorVector soak = o.soak_error * (tangent_.metal_readings() * tangent_.soak_k());
   const SensorVector doubt = metal_doubt_k_ * tangent_.metal_readings().rowwise().norm();
-  for (Eigen::Index i = 0; i < layout_.sensor_count; ++i)
-    noise_(i) = square(model_->noise_sigma(as_size(i), lagged_(i)) / size_(i)) +
-                square(early) * nominal_step_s / o.sample_time_s + (square(soak(i)) + square(doubt(i))) * correlated;
+  for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) {
+    const double noise = square(model_->noise_sigma(as_size(i), lagged_(i)) / size_(i)),
+                 metal = square(soak(i)) + square(doubt(i));
+    doubt_.noise(i) = noise;
+    doubt_.slow(i) = square(o.step_floor_percent) + metal;
+    noise_(i) = noise + square(early) * nominal_step_s / o.sample_time_s + metal * correlated;
+  }
 }
 
 void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
   if (!estimate_.holds) return;
+  watch_for_steps(fused & estimate_.sensors);
   UnknownVector change = UnknownVector::Zero(layout_.count());
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) {
     if (!(fused & estimate_.sensors)[as_size(i)]) continue;
@@ -220,6 +243,29 @@ void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
   ++samples_;
   move_by(change);
   read_out(change);
+}
+
+void OnBoardEstimator::watch_for_steps(SensorMask fused) noexcept {
+  const double dt_s = model_->options().sample_time_s;
+  if (estimate_.stepped >= 0 && static_cast<double>(++since_step_) * dt_s > step_lasts_s) estimate_.stepped = -1;
+  if (!teach_ || !estimate_.settled) return steps_.reset();  // P is open by itself
+  if (steps_.take(innovation_.value.cwiseQuotient(size_), fused, tangent_, covariance_, doubt_)) open_for_step();
+}
+
+void OnBoardEstimator::open_for_step() noexcept {
+  const StepFinding& found = steps_.finding();
+  const auto& health = model_->definition().channels.health;
+  UnknownVector variance(layout_.health_count);
+  for (std::size_t j = 0; j < health.size(); ++j)
+    variance(as_index(j)) = found.health(as_index(j)) * square(100.0 * health[j].sigma);
+  covariance_.open(UnknownLayout::first_health(), variance);
+  covariance_.open(layout_.first_bias(), square(model_->options().step_bias_percent) * found.sensor);
+  ++steps_found_;
+  if (found.parameter < 0) return;
+  estimate_.stepped = static_cast<int>(found.parameter);
+  estimate_.step = 0.01 * found.size_percent;
+  estimate_.least_step = 0.01 * found.threshold_percent;
+  since_step_ = 0;
 }
 
 void OnBoardEstimator::move_by(const UnknownVector& change) noexcept {

@@ -21,7 +21,7 @@ namespace ehm::onboard {
 struct OnBoardOptions {
   double sample_time_s = 0.015;
   bool build = true, soak = true, inputs = true;  ///< whether these causes of mismatch are among the unknowns
-  /// A gain that the tangent at the start gives is not to be trusted: R += (this tr Ph/tr Ph(0))^2, at 15 ms.
+  /// A gain that the tangent at the start gives is not to be trusted: R += (this tr Ph/tr Ph(fleet))^2, at 15 ms.
   double early_gain_percent = 6.0;
   double speed_walk_percent = 5e-4;   ///< what the model leaves out of the spools, standard deviation a 15 ms step
   double health_walk_percent = 1e-4;  ///< the same of health
@@ -32,8 +32,12 @@ struct OnBoardOptions {
   double path_length_mach = 0.2;
   double soak_error = 0.1;  ///< of what the metal's heat does to a reading
   double least_n1 = 0.43;   ///< of the corrected fan speed at the design point: below, only the speeds are followed
-  double refresh_speed = 0.002;  ///< relative change of a speed after which the tangent is renewed
-  double refresh_time_s = 1.0;   ///< longest age of a tangent: health and flight move it too
+  /// When the mean innovation says that a health parameter has stepped (step_watch.h).
+  double step_mean_s = 2.0, step_confirm_s = 2.0, step_threshold = 50.0, step_explains = 0.7;
+  double step_floor_percent = 0.05;  ///< of a reading's mean innovation, what nothing else explains
+  double step_bias_percent = 1.0;    ///< of a sensor, where it may have been that
+  double refresh_speed = 0.002;      ///< relative change of a speed after which the tangent is renewed
+  double refresh_time_s = 1.0;       ///< longest age of a tangent: health and flight move it too
 };
 
 /// The place of a channel among gas_path_quantity, and the sign with which it counts.

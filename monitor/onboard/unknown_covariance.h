@@ -26,10 +26,11 @@ class UnknownCovariance {
   explicit UnknownCovariance(const UnknownLayout& layout)
       : layout_(layout), p_(UnknownMatrix::Zero(layout.count(), layout.count())) {}
 
-  /// Independent, with these standard deviations.
-  void start(const UnknownVector& sigma) noexcept {
+  /// Speeds and biases known, health and causes as well as this says.
+  void start(const UnknownMatrix& health_and_causes) noexcept {
     p_.setZero();
-    p_.diagonal() = sigma.cwiseAbs2();
+    const Eigen::Index n = layout_.health_count + layout_.cause_count;
+    p_.block(UnknownLayout::first_health(), UnknownLayout::first_health(), n, n) = health_and_causes;
   }
   void predict(const EngineTangent& tangent, const StepSize& step) noexcept;
   /// Variance of a reading whose slopes are `row`.

@@ -2,27 +2,75 @@
 #include "tuner_design/cli/flight_study_command.h"
 
 #include "tuner_design/print/flight_study_text.h"
+#include "tuner_design/print/margin_study_text.h"
+#include "tuner_design/print/start_study_text.h"
 
 namespace ehm::tuner_design {
+namespace {
 
-void add_flight_study_options(CLI::App& command, FlightStudyOptions& options) {
-  command.add_option("--fleet", options.engines, "flight: engines of each fleet")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
-      ->capture_default_str();
+/// Runs a study beside a progress bar, and prints it in one of its two forms.
+template <class Run, class Print, class AsJson>
+void show(const OutputOptions& output, const Console& console, const Run& run, const Print& print,
+          const AsJson& as_json) {
+  long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
+  const auto study = run([&](double share) { bar.show_share(share); });
+  print_result(
+      console, output, [&] { return as_json(study); }, [&](std::ostream& out) { print(study, out); });
+}
+
+template <class Options>
+Options given_to(Options options, const StudyGiven& given) {
+  options.engine = given.engine;
+  options.threads = given.threads;
+  return options;
+}
+
+}  // namespace
+
+bool is_flight_study(const std::string& study) {
+  return study == "flight" || study == "starts" || study == "margin";
+}
+
+void add_flight_study_options(CLI::App& command, FlightStudyArguments& arguments) {
   command
-      .add_option("--step", options.step_s,
+      .add_option("--fleet", arguments.fleet,
+                  "flight: engines of each fleet, default " + std::to_string(arguments.flight.engines) +
+                      "; margin: engines, default " + std::to_string(arguments.margin.engines))
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}));
+  command
+      .add_option("--step", arguments.flight.step_s,
                   "flight: seconds of a sample; a coarser one than 0.015 has less noise, so that a second brings equal "
                   "information")
       ->check(CLI::Range(0.015, 0.1))
       ->capture_default_str();
+  command.add_option("--starts", arguments.starts.starts, "starts: missions that are started")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+      ->capture_default_str();
 }
 
-void flight_study(const FlightStudyOptions& options, const OutputOptions& output, const Console& console) {
-  long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
-  const FlightStudy study = run_flight_study(options, [&](double share) { bar.show_share(share); });
-  print_result(
-      console, output, [&] { return flight_study_as_json(study); },
-      [&](std::ostream& out) { print_flight_study(study, out); });
+void flight_study(const std::string& study, const FlightStudyArguments& arguments, const StudyGiven& given,
+                  const OutputOptions& output, const Console& console) {
+  if (study == "starts") {
+    StartStudyOptions options = given_to(arguments.starts, given);
+    options.seed = given.seed;
+    return show(
+        output, console, [&](const auto& progress) { return run_start_study(options, progress); }, print_start_study,
+        start_study_as_json);
+  }
+  if (study == "margin") {
+    MarginStudyOptions options = given_to(arguments.margin, given);
+    options.seed = given.seed;
+    options.engines = arguments.fleet.value_or(options.engines);
+    return show(
+        output, console, [&](const auto& progress) { return run_margin_study(options, progress); }, print_margin_study,
+        margin_study_as_json);
+  }
+  FlightStudyOptions options = given_to(arguments.flight, given);
+  options.draw.seed = given.seed;
+  options.engines = arguments.fleet.value_or(options.engines);
+  show(
+      output, console, [&](const auto& progress) { return run_flight_study(options, progress); }, print_flight_study,
+      flight_study_as_json);
 }
 
 }  // namespace ehm::tuner_design

@@ -1,16 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// `tuner_design study flight`: the on-board estimator over whole flights, against truths that differ from its model.
+// The studies of whole flights, whose truths differ from the on-board model:
+//   flight   is health estimated in every sample, and honestly?
+//   starts   does every engine of a fleet start its mission?
+//   margin   is the EGT margin known over an engine's life?
+
+#include <optional>
+#include <string>
 
 #include "tuner_design/cli/command.h"
 #include "tuner_design/flight/flight_figures.h"
+#include "tuner_design/flight/margin_study.h"
+#include "tuner_design/flight/start_study.h"
 
 namespace ehm::tuner_design {
 
-/// --fleet, --step; engine, seed and threads are the study command's.
-void add_flight_study_options(CLI::App& command, FlightStudyOptions& options);
+struct FlightStudyArguments {
+  std::optional<std::size_t> fleet;
+  FlightStudyOptions flight;
+  StartStudyOptions starts;
+  MarginStudyOptions margin;
+};
+
+bool is_flight_study(const std::string& study);
+
+/// --fleet, --step, --starts; engine, seed and threads are the study command's.
+void add_flight_study_options(CLI::App& command, FlightStudyArguments& arguments);
+
+/// What all studies are given.
+struct StudyGiven {
+  std::shared_ptr<const engine_sim::EngineDefinition> engine;
+  std::uint64_t seed;
+  unsigned threads;
+};
 
 /// Flies and prints.
-void flight_study(const FlightStudyOptions& options, const OutputOptions& output, const Console& console);
+void flight_study(const std::string& study, const FlightStudyArguments& arguments, const StudyGiven& given,
+                  const OutputOptions& output, const Console& console);
 
 }  // namespace ehm::tuner_design

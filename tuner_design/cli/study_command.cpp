@@ -25,7 +25,7 @@ struct Arguments {
   ImportOptions import;
   SimonGargOptions options;
   FaultStudyArguments faults;
-  FlightStudyOptions flight;
+  FlightStudyArguments flight;
   EngineOption engine;
   OutputOptions output;
 };
@@ -52,12 +52,12 @@ void run_study(Arguments arguments, const Console& console) {
   if (!of_the_paper && arguments.trim != "new")
     throw CLI::ValidationError(
         "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
-  if (arguments.study == "flight") {
-    if (!arguments.csv.empty()) throw CLI::ValidationError("--csv", "does not go with flight; --json has every number");
-    arguments.flight.engine = arguments.engine.engine();
-    arguments.flight.seed = arguments.options.seed;
-    arguments.flight.threads = arguments.options.threads;
-    return flight_study(arguments.flight, arguments.output, console);
+  if (is_flight_study(arguments.study)) {
+    if (!arguments.csv.empty())
+      throw CLI::ValidationError("--csv", "does not go with " + arguments.study + "; --json has every number");
+    return flight_study(arguments.study, arguments.flight,
+                        {arguments.engine.engine(), arguments.options.seed, arguments.options.threads},
+                        arguments.output, console);
   }
   if (arguments.study == "faults")
     return fault_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
@@ -100,11 +100,12 @@ void add_study_command(CLI::App& app, Action& run) {
   CLI::App* command = app.add_subcommand("study",
                                          "Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, on our engine; "
                                          "how well the monitor finds and names faults; its false alarms; "
-                                         "or estimates over whole flights");
-  command->add_option("study", arguments->study, "Which table, faults, false-alarms, or flight")
+                                         "estimates over whole flights; whether every engine starts; "
+                                         "or the EGT margin over its life");
+  command->add_option("study", arguments->study, "Which table, faults, false-alarms, flight, starts, or margin")
       ->required()
-      ->check(CLI::IsMember(
-          {"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms", "flight"}));
+      ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms",
+                             "flight", "starts", "margin"}));
   CLI::Option* model =
       command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
           ->type_name("MODEL");
@@ -114,7 +115,8 @@ void add_study_command(CLI::App& app, Action& run) {
       ->check(CLI::IsMember({"new", "half-worn"}))
       ->capture_default_str()
       ->excludes(model);
-  add_engine_option(*command, arguments->engine, "Engine of simon-garg without --model, of faults, and of flight");
+  add_engine_option(*command, arguments->engine,
+                    "Engine of simon-garg without --model, faults, flight, starts, margin");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))

@@ -7,9 +7,7 @@
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/sensor_lags.h"
 #include "engine_sim/scenario/mission.h"
-#include "engine_sim/simulation.h"
-#include "monitor/onboard/on_board_estimator.h"
-#include "tuner_design/monte_carlo/random_stream.h"
+#include "tuner_design/flight/estimated_flight.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -24,25 +22,8 @@ constexpr double steady_s[][2] = {{1760.0, 3600.0}, {3960.0, 5400.0}};
 /// Where power is set within seconds: take-off, top of climb, step climb and its end, descent, approach.
 constexpr double slams_s[] = {410.0, 1560.0, 3600.0, 3780.0, 5400.0, 6590.0, 6780.0};
 
-sim::Scenario scenario_of(const FlightStudyOptions& options, std::size_t index) {
-  RandomStream random(options.seed, index);
-  sim::Scenario s;
-  s.engine = flown_engine(*options.engine, options.step_s);
-  s.control = s.engine->control;
-  s.sample_time_s = options.step_s;
-  s.seed = static_cast<std::int64_t>(random.bits() >> 12);
-  s.heat_soak = options.heat_soak;
-  for (const sim::HealthChannel& health : s.engine->channels.health)
-    s.wear[health.parameter].initial = health.sigma * std::clamp(random.normal(), -3.0, 3.0);
-  s.mismatch = sim::drawn_mismatch(options.mismatch, random.bits());
-  const sim::MissionOptions mission{.delta_isa_k = std::clamp(8.0 * random.normal(), -20.0, 20.0),
-                                    .offtake = 0.5 + random.uniform(),
-                                    .power = 1.0 + 0.02 * (random.uniform() - 0.5)};
-  s.profile = sim::two_hour_mission(s.engine->data, mission);
-  s.flight = s.profile.front().flight;
-  s.demand = s.profile.front().demand;
-  return s;
-}
+/// A step that is found later than this was found by another cause.
+constexpr double latest_find_s = 60.0;
 
 bool is_steady(double t) {
   return std::any_of(std::begin(steady_s), std::end(steady_s),
@@ -65,38 +46,44 @@ void judge(const Vector& estimate, const Vector& sigma, const std::vector<double
 class Flight {
  public:
   Flight(const FlightStudyOptions& options, std::shared_ptr<const onboard::OnBoardModel> model, std::size_t index)
-      : options_(options), simulation_(scenario_of(options, index)), estimator_(std::move(model)) {
+      : options_(options),
+        simulation_(
+            mission_scenario(flown_engine(*options.engine, options.step_s), options.step_s, options.draw, index)),
+        estimator_(std::move(model)),
+        stepped_(static_cast<int>(stepped_channel(*options.engine, index))) {
     const auto& channels = options.engine->channels;
     out_.health.resize(channels.health.size());
     out_.steady.resize(channels.auxiliary.size());
     out_.slam.resize(channels.auxiliary.size());
     for (std::size_t i = 0; i < channels.sensors.size(); ++i) fused_.set(i);
     for (const std::size_t sensor : options.missing) fused_.reset(sensor);
-    estimator_.use(fused_);
   }
 
   FlightOutcome run() {
-    const auto samples = static_cast<std::int64_t>(sim::mission_seconds / options_.step_s);
-    for (std::int64_t k = 0; k < samples; ++k)
-      take(simulation_.next_sample(), static_cast<double>(k) * options_.step_s);
+    estimate_flight(simulation_, sim::mission_seconds, options_.step_s, estimator_, fused_,
+                    [&](const sim::EngineSample& sample, double t) { take(sample, t); });
     return out_;
   }
 
  private:
   void take(const sim::EngineSample& sample, double t) {
-    estimation::SensorVector y(as_index(sample.sensors.size()));
-    for (std::size_t i = 0; i < sample.sensors.size(); ++i) y(as_index(i)) = sample.sensors[i].value;
-    estimation::Conditions now;
-    now.flight = {sample.flight.altitude_m, sample.flight.mach, sample.flight.delta_isa_k};
-    now.actuators = Eigen::Map<const Eigen::VectorXd>(sample.actuators.data(), as_index(sample.actuators.size()));
-    estimator_.predict(before_, 1);
-    estimator_.innovate(y, now);
-    estimator_.update(fused_, 1);
-    before_ = now;
     ++out_.samples;
+    note_step(t);
     if (!estimator_.estimate().holds) return;
     ++out_.estimated;
     score(sample, t);
+  }
+
+  void note_step(double t) {
+    if (estimator_.steps_found() == found_) return;
+    found_ = estimator_.steps_found();
+    const double after_s = options_.draw.step ? t - options_.draw.step->at_s : -1.0;
+    if (after_s < 0.0 || after_s > latest_find_s) {
+      ++out_.step.false_alarms;
+    } else if (!out_.step.found_after_s) {
+      out_.step.found_after_s = after_s;
+      out_.step.named = estimator_.estimate().stepped == stepped_;
+    }
   }
 
   void score(const sim::EngineSample& sample, double t) {
@@ -129,8 +116,9 @@ class Flight {
   const FlightStudyOptions& options_;
   sim::Simulation simulation_;
   onboard::OnBoardEstimator estimator_;
+  int stepped_;
+  std::int64_t found_ = 0;
   estimation::SensorMask fused_;
-  estimation::Conditions before_;
   FlightOutcome out_;
   double next_judged_s_ = 0.0;
 };

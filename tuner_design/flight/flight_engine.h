@@ -7,21 +7,20 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine_sim/engines/engine_definition.h"
-#include "engine_sim/mismatch/mismatch.h"
 #include "monitor/onboard/on_board_model.h"
+#include "tuner_design/flight/mission_scenario.h"
 
 namespace ehm::tuner_design {
 
 struct FlightStudyOptions {
   std::shared_ptr<const engine_sim::EngineDefinition> engine;
   std::size_t engines = 100;
-  std::uint64_t seed = 1;
   double step_s = 0.1;
-  engine_sim::MismatchDraw mismatch;  ///< of the truth
-  bool heat_soak = true;
+  MissionDraw draw;                  ///< of the truth
   std::vector<std::size_t> missing;  ///< sensors that are dead from the start
   onboard::OnBoardOptions onboard;   ///< sample_time_s is step_s
   unsigned threads = 1;
@@ -32,10 +31,18 @@ struct ChannelScore {
   std::size_t judged = 0, covered = 0;
 };
 
+/// What the estimator said of a step: of the one that there was, and of such as there were not.
+struct StepOutcome {
+  std::optional<double> found_after_s;
+  bool named = false;  ///< the right parameter
+  int false_alarms = 0;
+};
+
 struct FlightOutcome {
   double samples = 0, estimated = 0;
   double ssee_700 = 0, claim_700 = 0, ssee_landing = 0, claim_landing = 0;  ///< percent^2, of all health
   std::vector<ChannelScore> health;                                         ///< from take-off to landing
+  StepOutcome step;
   std::vector<ChannelScore> steady, slam;  ///< of auxiliary outputs: in cruise, and in the 30 s after the slams
 };
 

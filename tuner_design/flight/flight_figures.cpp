@@ -6,10 +6,13 @@
 namespace ehm::tuner_design {
 namespace {
 
+/// Fleets with all sensors come first.
+constexpr std::size_t first_incomplete = 5;
+
 FlightFleet fleet(const FlightStudyOptions& common, std::string name, const engine_sim::MismatchDraw& truth,
                   std::vector<std::size_t> missing = {}) {
   FlightFleet fleet{std::move(name), common, {}};
-  fleet.options.mismatch = truth;
+  fleet.options.draw.mismatch = truth;
   fleet.options.missing = std::move(missing);
   // the estimator looks for what its user expects of the truth
   fleet.options.onboard.build = truth.build;
@@ -21,7 +24,10 @@ FlightFleet fleet(const FlightStudyOptions& common, std::string name, const engi
 std::vector<FlightFleet> fleets_of(const FlightStudyOptions& common) {
   const engine_sim::MismatchDraw built{.build = true, .soak = true}, all{true, true, true};
   std::vector<FlightFleet> fleets{fleet(common, "as filed", {}), fleet(common, "build, soak", built),
-                                  fleet(common, "all", all)};
+                                  fleet(common, "all", all), fleet(common, "step in cruise", built),
+                                  fleet(common, "step in climb", built)};
+  fleets[3].options.draw.step = StepOfHealth{2500.0, 2.0};
+  fleets[4].options.draw.step = StepOfHealth{900.0, 2.0};
   const auto& sensors = common.engine->channels.sensors;
   for (std::size_t i = 0; i < sensors.size(); ++i)
     fleets.push_back(fleet(common, "without " + std::string(sensors[i].quantity->name), built, {i}));
@@ -40,12 +46,34 @@ double greatest_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
+/// How steps were found, named, and survived.
+void add_step_figures(const std::vector<FlightFleet>& fleets, std::vector<FlightFigure>& figures) {
+  double steps = 0.0, found = 0.0, named = 0.0, delay_s = 0.0, false_alarms = 0.0, landing = 0.0;
+  for (const FlightFleet& f : fleets) {
+    const auto found_here = static_cast<double>(f.result.steps_found);
+    steps += static_cast<double>(f.result.steps);
+    found += found_here;
+    named += static_cast<double>(f.result.steps_named);
+    delay_s += found_here * f.result.step_delay_s;
+    false_alarms = std::max(false_alarms, f.result.false_steps);
+    if (f.result.steps > 0) landing = std::max(landing, f.result.ssee_landing);
+  }
+  if (steps == 0.0) return;
+  figures.push_back({"steps of 2 %: found within a minute", found / steps, 0.95, {}});
+  figures.push_back(
+      {"steps of 2 %: of those found, the parameter named right", found > 0.0 ? named / found : 0.0, 0.90, {}});
+  figures.push_back({"steps of 2 %: mean delay, s", found > 0.0 ? delay_s / found : 0.0, {}, 10.0});
+  figures.push_back({"steps of 2 %: SSEE at landing, worse fleet", landing, {}, 5.0});
+  figures.push_back({"steps found where there was none, a flight, worst fleet", false_alarms, {}, 0.2});
+}
+
 /// What is asked of the estimator, beside what the fleets gave.
 std::vector<FlightFigure> figures_of(const std::vector<FlightFleet>& fleets) {
   const FleetResult &filed = fleets[0].result, &built = fleets[1].result, &all = fleets[2].result;
   double estimated = 1.0, covered = 1.0;
   for (const FlightFleet& f : fleets) estimated = std::min(estimated, f.result.estimated);
-  for (std::size_t i = 3; i < fleets.size(); ++i) covered = std::min(covered, fleets[i].result.health_coverage);
+  for (std::size_t i = first_incomplete; i < fleets.size(); ++i)
+    covered = std::min(covered, fleets[i].result.health_coverage);
   const auto ratio = [](const FleetResult& r) { return r.ssee_landing > 0.0 ? r.claim_landing / r.ssee_landing : 0.0; };
   std::vector<FlightFigure> figures{
       {"samples with estimates, taxi included, every fleet", estimated, 0.99, {}},
@@ -60,7 +88,8 @@ std::vector<FlightFigure> figures_of(const std::vector<FlightFleet>& fleets) {
       {"all: worst coverage of an auxiliary output, steady", least_of(all.steady_coverage), 0.92, {}},
       {"all: best coverage of an auxiliary output, steady", greatest_of(all.steady_coverage), {}, 0.98},
       {"all: worst coverage of an auxiliary output, 30 s after a slam", least_of(all.slam_coverage), 0.90, {}}};
-  if (fleets.size() > 3)
+  add_step_figures(fleets, figures);
+  if (fleets.size() > first_incomplete)
     figures.push_back({"one or two sensors missing: pooled coverage, worst fleet", covered, 0.88, {}});
   return figures;
 }

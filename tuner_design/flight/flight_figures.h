@@ -5,6 +5,7 @@
 //   as filed     the truth is the engine file; the causes of mismatch are not asked for
 //   build, soak  the build is drawn within its tolerance, the heat soak differs by 30 %
 //   all          besides, air data and fuel meter have errors
+//   step in ...  as `build, soak`, and in flight one health parameter steps by 2 %, in cruise or in the climb
 //   without X    as `build, soak`, but sensor X is dead from the start; each of them, and one pair
 // SSEE: sum over the health parameters of the squared error, percent^2, mean over the fleet; claims: the same of sigma.
 // Errors: none; an engine that does not fly is named in its fleet, and is in no figure.

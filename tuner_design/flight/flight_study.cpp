@@ -29,6 +29,16 @@ void add(const std::vector<ChannelScore>& from, std::vector<ChannelScore>& to) {
   }
 }
 
+void add_step(const StepOutcome& step, bool stepped, FleetResult& r) {
+  r.false_steps += step.false_alarms;
+  if (!stepped) return;
+  ++r.steps;
+  if (!step.found_after_s) return;
+  ++r.steps_found;
+  r.steps_named += step.named;
+  r.step_delay_s += *step.found_after_s;
+}
+
 }  // namespace
 
 FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<void(double)>& progress) {
@@ -63,6 +73,7 @@ FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<voi
     r.ssee_landing += o.ssee_landing;
     r.claim_landing += o.claim_landing;
     r.worst_landing = std::max(r.worst_landing, o.ssee_landing);
+    add_step(o.step, options.draw.step.has_value(), r);
     add(o.health, health);
     add(o.steady, steady);
     add(o.slam, slam);
@@ -70,6 +81,8 @@ FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<voi
   if (r.flown == 0) return r;
   const double n = static_cast<double>(r.flown);
   for (double* mean : {&r.ssee_700, &r.claim_700, &r.ssee_landing, &r.claim_landing}) *mean /= n;
+  r.false_steps /= n;
+  if (r.steps_found > 0) r.step_delay_s /= static_cast<double>(r.steps_found);
   r.estimated = estimated / samples;
   r.worst_health_coverage = 1.0;
   for (std::size_t i = 0; i < health.size(); ++i) {

@@ -22,6 +22,9 @@ struct FleetResult {
   std::vector<FailedEngine> failed;
   double estimated = 0.0;  ///< share of the samples
   double ssee_700 = 0, claim_700 = 0, ssee_landing = 0, claim_landing = 0, worst_landing = 0;
+  double false_steps = 0;                                   ///< found where there was none, a flight
+  std::size_t steps = 0, steps_found = 0, steps_named = 0;  ///< of engines with one
+  double step_delay_s = 0;                                  ///< mean, of those found
   double health_coverage = 0, worst_health_coverage = 0;
   std::vector<double> steady_coverage, slam_coverage;  ///< by auxiliary output
   std::vector<double> health_coverage_by_channel;

@@ -24,7 +24,7 @@ void print_shares(std::ostream& out, const std::vector<std::string>& names, cons
 void print_flight_study(const FlightStudy& study, std::ostream& out) {
   const FlightStudyOptions& common = study.fleets.front().options;
   out << fmt::format("Flight study: fleets of {} engines {} over the two-hour mission, step {:g} s, seed {}\n\n",
-                     common.engines, common.engine->data.name, common.step_s, common.seed);
+                     common.engines, common.engine->data.name, common.step_s, common.draw.seed);
   out << fmt::format("  {:<18}{:>7}{:>8}{:>11}{:>9}{:>10}{:>9}{:>8}{:>9}{:>8}\n", "truth", "flown", "with %",
                      "SSEE 700 s", "claims", "landing", "claims", "worst", "coverage", "worst");
   for (const FlightFleet& f : study.fleets) {
@@ -63,6 +63,11 @@ nlohmann::ordered_json flight_study_as_json(const FlightStudy& study) {
                       {"ssee_landing", r.ssee_landing},
                       {"claim_landing", r.claim_landing},
                       {"worst_landing", r.worst_landing},
+                      {"steps", r.steps},
+                      {"steps_found", r.steps_found},
+                      {"steps_named", r.steps_named},
+                      {"step_delay_s", r.step_delay_s},
+                      {"false_steps", r.false_steps},
                       {"health_coverage", r.health_coverage},
                       {"health_coverage_by_channel", r.health_coverage_by_channel},
                       {"steady_coverage", r.steady_coverage},
@@ -71,7 +76,7 @@ nlohmann::ordered_json flight_study_as_json(const FlightStudy& study) {
   for (const FlightFigure& f : study.figures)
     figures.push_back({{"what", f.what}, {"measured", f.measured}, {"asked", asked(f)}, {"met", f.met()}});
   return {{"engines", study.fleets.front().options.engines},
-          {"seed", study.fleets.front().options.seed},
+          {"seed", study.fleets.front().options.draw.seed},
           {"step_s", study.fleets.front().options.step_s},
           {"health", study.health},
           {"auxiliary", study.auxiliary},

@@ -117,6 +117,41 @@ TEST(OnBoardEstimator, ASecondWithoutAnAnswerStartsItCold) {
   EXPECT_LT(errors_of(flight).health, 4.0);
 }
 
+TEST(OnBoardEstimator, AStepOfHealthInCruiseIsFoundNamedAndLearnedAnew) {
+  const engine_sim::PlannedChange step{.time_s = 1900.0, .channel = 4, .change = -0.02};
+  OnBoardFlight flight({.seed = 17, .health_changes = {step}}),
+      deaf({.seed = 17, .health_changes = {step}, .options = {.step_threshold = 1e9}});
+  while (flight.time_s() < 1900.0) flight.next(), deaf.next();
+  EXPECT_EQ(flight.estimator.steps_found(), 0);
+  EXPECT_EQ(flight.estimator.estimate().health, deaf.estimator.estimate().health);
+  while (flight.time_s() < 1910.0) flight.next(), deaf.next();
+  EXPECT_EQ(flight.estimator.steps_found(), 1);
+  EXPECT_EQ(flight.estimator.estimate().stepped, 4);
+  EXPECT_NEAR(flight.estimator.estimate().step, -0.02, 0.005);
+  EXPECT_LT(flight.estimator.estimate().least_step, 0.01);
+  while (flight.time_s() < 2500.0) flight.next(), deaf.next();
+  EXPECT_EQ(flight.estimator.steps_found(), 1);
+  EXPECT_EQ(flight.estimator.estimate().stepped, -1);  // it is known again
+  EXPECT_LT(errors_of(flight).health, 4.0);
+  EXPECT_GT(errors_of(deaf).health, 6.0);  // a constant that has been learned stays what it was
+}
+
+TEST(OnBoardEstimator, BeginsWithWhatAnEarlierFlightHasTaught) {
+  OnBoardFlight first({.seed = 18}), second({.seed = 18});
+  while (first.time_s() < 1500.0) first.next();
+  const Learned learned = first.estimator.learned();
+  second.estimator.begin_with(learned);
+  EXPECT_NEAR(claimed(second), claimed(first), 1e-9);
+  EXPECT_EQ(second.estimator.learned().value, learned.value);
+  while (second.time_s() < 1500.0) {
+    second.next();
+    ASSERT_LT(errors_of(second).health, 5.0) << second.time_s();
+  }
+  EXPECT_LT(claimed(second), 0.9 * claimed(first));
+  second.estimator.reset();
+  EXPECT_EQ(second.estimator.learned().value, learned.value);
+}
+
 TEST(OnBoardEstimator, GapsAreBridgedAndTheSpeedsFoundAgain) {
   OnBoardFlight flight({.seed = 15});
   while (flight.time_s() < 1700.0) flight.next();

@@ -17,6 +17,7 @@ struct OnBoardFlightOptions {
   std::uint64_t seed = 1;
   engine_sim::MismatchDraw mismatch{true, true, true};
   std::vector<std::size_t> missing = {};
+  std::vector<engine_sim::PlannedChange> health_changes = {};
   OnBoardOptions options = {};
 };
 
@@ -64,6 +65,7 @@ struct OnBoardFlight {
     s.seed = static_cast<std::int64_t>(o.seed);
     s.heat_soak = true;
     s.sensors.noise_of = engine_sim::NoiseOf::reading;
+    s.health_changes = o.health_changes;
     s.mismatch = engine_sim::drawn_mismatch(o.mismatch, o.seed);
     NoiseSource random(1000 + o.seed);
     for (auto& wear : s.wear) wear.initial = 0.02 * random.normal();

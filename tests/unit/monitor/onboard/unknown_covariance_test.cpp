@@ -21,7 +21,9 @@ class Covariance : public ::testing::Test {
  protected:
   Covariance() {
     UnknownVector sigma = UnknownVector::LinSpaced(layout_.count(), 0.5, 2.0);
-    p_.start(sigma);
+    const Eigen::Index n = layout_.health_count + layout_.cause_count;
+    p_.start(UnknownMatrix::Zero(n, n));
+    p_.open(0, sigma.cwiseAbs2());
     p_.update(UnknownVector::LinSpaced(layout_.count(), -1.0, 1.5), 0.3, true);
     p_.update(UnknownVector::Constant(layout_.count(), 0.7), 0.2, true);
   }
