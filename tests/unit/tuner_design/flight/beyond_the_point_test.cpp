@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d_engine.h"
@@ -38,8 +39,9 @@ monitor::CycleOptions published(const std::string& estimator) {
 /// A worn engine at a constant flight condition, sample by sample through a cycle.
 class Flown {
  public:
-  Flown(const std::string& estimator, const engine_sim::FlightCondition& flight)
-      : simulation_(scenario(flight)), cycle_(cruise_design(), published(estimator)) {}
+  Flown(const std::string& estimator, const engine_sim::FlightCondition& flight,
+        const std::vector<engine_sim::PlannedChange>& health_changes = {})
+      : simulation_(scenario(flight, health_changes)), cycle_(cruise_design(), published(estimator)) {}
 
   /// True: with estimates. `fuel_factor`: of the fuel flow that is reported.
   bool next(double fuel_factor = 1.0) {
@@ -60,19 +62,27 @@ class Flown {
       to.sensor_valid |= 1u << i;
     }
     EXPECT_TRUE(cycle_.process(to));
+    for (const monitor::Event& event : cycle_.events())
+      if (event.kind == idl::EventKind::health_shift) shifts_.push_back(event);
+    cycle_.clear_events();
     return cycle_.result().estimates;
   }
   const monitor::MonitorCycle& cycle() const { return cycle_; }
+  /// Events of a health shift so far.
+  const std::vector<monitor::Event>& shifts() const { return shifts_; }
 
  private:
-  static engine_sim::Scenario scenario(const engine_sim::FlightCondition& flight) {
+  static engine_sim::Scenario scenario(const engine_sim::FlightCondition& flight,
+                                       const std::vector<engine_sim::PlannedChange>& health_changes) {
     engine_sim::Scenario s;
+    s.health_changes = health_changes;
     s.flight = flight;
     s.wear[engine_sim::hpc_efficiency].initial = -0.015;
     return s;
   }
   engine_sim::Simulation simulation_;
   monitor::MonitorCycle cycle_;
+  std::vector<monitor::Event> shifts_;
 };
 
 constexpr engine_sim::FlightCondition elsewhere{8000.0, 0.7, 5.0};
@@ -85,6 +95,25 @@ TEST(BeyondThePoint, TheOnBoardEstimatorGoesOnWhereTheTunerFilterIsWithheld) {
   }
   EXPECT_GE(onboard.cycle().result().fused.count(), 6u);  // the gate lets 3 in 10 000 good ones out
   EXPECT_EQ(onboard.cycle().result().flags & idl::estimate_flag::off_design, 0u);
+}
+
+TEST(BeyondThePoint, AStepOfHealthIsNamedAndEndsOnceItIsLearned) {
+  constexpr double step_s = 150.0;
+  constexpr std::uint32_t stepped = 4;
+  Flown flown("onboard", elsewhere, {{.time_s = step_s, .channel = stepped, .change = 0.012}});
+  const auto samples = [](double seconds) { return static_cast<int>(seconds / 0.015); };
+  for (int k = 0; k < samples(step_s); ++k) flown.next();
+  EXPECT_TRUE(flown.shifts().empty());
+  for (int k = 0; k < samples(15.0); ++k) EXPECT_TRUE(flown.next()) << k;
+  ASSERT_EQ(flown.shifts().size(), 1u);
+  EXPECT_TRUE(flown.shifts()[0].raised);
+  EXPECT_EQ(flown.shifts()[0].channel, stepped);
+  EXPECT_NEAR(flown.shifts()[0].value, 0.012, 0.004);
+  EXPECT_NE(flown.cycle().result().flags & idl::estimate_flag::shifted, 0u);
+  for (int k = 0; k < samples(75.0); ++k) flown.next();
+  ASSERT_EQ(flown.shifts().size(), 2u);
+  EXPECT_FALSE(flown.shifts()[1].raised);
+  EXPECT_EQ(flown.cycle().result().flags & idl::estimate_flag::shifted, 0u);
 }
 
 TEST(BeyondThePoint, AModelThatHasLostItsAnswerIsAskedAgain) {
