@@ -33,7 +33,7 @@ struct OnBoardOptions {
   double soak_error = 0.1;  ///< of what the metal's heat does to a reading
   double least_n1 = 0.43;   ///< of the corrected fan speed at the design point: below, only the speeds are followed
   /// When the mean innovation says that a health parameter has stepped (step_watch.h).
-  double step_mean_s = 2.0, step_confirm_s = 2.0, step_threshold = 50.0, step_explains = 0.7;
+  double step_mean_s = 2.0, step_confirm_s = 0.5, step_threshold = 50.0, step_explains = 0.7;
   double step_floor_percent = 0.05;  ///< of a reading's mean innovation, what nothing else explains
   double step_bias_percent = 1.0;    ///< of a sensor, where it may have been that
   double refresh_speed = 0.002;      ///< relative change of a speed after which the tangent is renewed

