@@ -2,7 +2,9 @@
 #include "tuner_design/flight/margin_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 
