@@ -96,6 +96,7 @@ class Link {
     ends_.reset();
     ends_.emplace(config_);
     ends_->publisher.describe(engine_.channels());
+    ends_->publisher.state_mismatch(engine_.mismatch());
   }
 
   const SimConfig& config_;

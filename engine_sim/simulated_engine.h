@@ -6,6 +6,7 @@
 // @throws std::invalid_argument from an order that this engine cannot follow: which, and why.
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ class SimulatedEngine {
   virtual const EngineChannels& channels() const = 0;
   /// For the log: what flies, and where.
   virtual std::string start_text() const = 0;
+  /// How the engine that flies differs from its file, by cause (mismatch/mismatch.h); empty where there is no file.
+  virtual std::span<const double> mismatch() const { return {}; }
   virtual double time_s() const = 0;
   virtual EngineSample next_sample() = 0;
 

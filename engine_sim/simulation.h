@@ -48,6 +48,7 @@ class Simulation : public SimulatedEngine {
 
   const EngineChannels& channels() const override { return channels_; }
   std::string start_text() const override;
+  std::span<const double> mismatch() const override { return scenario_.mismatch; }
   /// The same as next(), channel by channel.
   EngineSample next_sample() override;
   double time_s() const override { return static_cast<double>(sequence_) * scenario_.sample_time_s; }

@@ -48,8 +48,12 @@ inline constexpr std::array event_kind_names{"?",
                                              "unlikely_engine",
                                              "engine_left",
                                              "second_monitor",
-                                             "command_flood"};
-static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::command_flood) + 1);
+                                             "command_flood",
+                                             "flight_history"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::flight_history) + 1);
+
+inline constexpr std::array flight_phase_names{"unknown", "taxi", "take_off", "climb", "cruise", "descent", "approach"};
+static_assert(flight_phase_names.size() == static_cast<std::size_t>(FlightPhase::approach) + 1);
 
 inline constexpr std::array<std::pair<std::uint32_t, const char*>, 6> estimate_flag_names{
     {{estimate_flag::converging, "converging"},

@@ -48,6 +48,17 @@ enum class StatusLevel : std::uint32_t {
   stopped = 4  ///< the monitor has shut down in order
 };
 
+/// MonitorStatus.flight_phase, and the places of FlightSummary.phase_s.
+enum class FlightPhase : std::uint32_t {
+  unknown = 0,
+  taxi = 1,
+  take_off = 2,  ///< from take-off power on, and the first 450 m
+  climb = 3,
+  cruise = 4,
+  descent = 5,
+  approach = 6  ///< below 3000 m, and slow
+};
+
 enum class EventKind : std::uint32_t {
   sensor_fault = 1,  ///< channel: sensor; value: bias in its unit, factor on its noise, or ratio; threshold: its limit
   health_shift = 2,  ///< channel: health parameter; value: change, threshold: what noise explains
@@ -86,7 +97,8 @@ enum class EventKind : std::uint32_t {
                          ///< distance from its middle, over the fleet's spread
   engine_left = 29,      ///< silent for so long (value, s) that its filter is free for another; raised 0: it is back
   second_monitor = 30,   ///< another monitor publishes under this one's source_id (value)
-  command_flood = 31     ///< resets come faster than a filter converges; those beyond one in threshold s are refused
+  command_flood = 31,    ///< resets come faster than a filter converges; those beyond one in threshold s are refused
+  flight_history = 32    ///< a baseline was not taken, or flights cannot be noted (raised 0: they are again)
 };
 
 enum class SimCommandKind : std::uint32_t {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// monitor: arguments -> config -> loop -> exit code; with --listen a wiring check instead of the loop.
+// monitor: arguments -> config -> loop -> exit code; with --listen a wiring check instead of the loop; monitor history
+// ENGINE: what has been noted of an engine.
 
 #include <spdlog/spdlog.h>
 
@@ -18,6 +19,7 @@
 #include "idl/dds/descriptors.h"
 #include "idl/dds/security.h"
 #include "monitor/checkpoint/checkpoint_folder.h"
+#include "monitor/history/history_command.h"
 #include "monitor/listen/listen.h"
 #include "monitor/service/config.h"
 #include "monitor/service/offline.h"
@@ -44,6 +46,7 @@ ehm::monitor::LoadedConfig read_again(int argc, char** argv) {
 
 int run(int argc, char** argv) {
   using namespace ehm;
+  if (const auto code = monitor::run_command(argc, argv, std::cout, std::cerr)) return *code;
   service::ignore_fatal_signals();
   const service::ReloadSignal early;  // a SIGHUP from now on is remembered, and ends nobody
   service::start_log("monitor");
@@ -55,8 +58,11 @@ int run(int argc, char** argv) {
   monitor::ListenOptions listen;
   config::CommandLine line;
   line.more_options = [&listen](CLI::App& app) { monitor::declare(app, listen); };
-  if (const auto code = config::parse_command_line(
-          argc, argv, "monitor", "Estimates engine health from sensor samples on DDS, and publishes it.", schema, line))
+  CLI::App commands;
+  monitor::add_history_command(commands);
+  const std::string purpose = std::string("Estimates engine health from sensor samples on DDS, and publishes it.\n") +
+                              monitor::history_command_help;
+  if (const auto code = config::parse_command_line(argc, argv, "monitor", purpose, schema, line, &commands))
     return *code;
 
   std::unique_ptr<monitor::EngineTable> engines;
@@ -69,7 +75,9 @@ int run(int argc, char** argv) {
     spdlog::set_level(spdlog::level::from_str(config.log_level));
     // The flight goes on without what cannot be written; whoever only checks wants to know of it.
     if (line.check_config && !config.checkpoint_directory.empty())
-      monitor::require_writable_folder(config.checkpoint_directory);
+      monitor::require_writable_folder(config.checkpoint_directory, "checkpoint.directory");
+    if (line.check_config && !config.history.directory.empty())
+      monitor::require_writable_folder(config.history.directory, "history.directory");
     if (line.check_config && !config.record.file.empty()) const files::AtomicFile probe(config.record.file);
     if (!config.offline.file.empty()) {
       const std::vector<std::string> given = schema.given();

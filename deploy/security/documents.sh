@@ -14,13 +14,13 @@ may_publish() {
   case $1 in
     sensor_source) echo EngineSensors EngineDescription EngineTruth CommandReply ;;
     monitor) echo EngineHealth 'EngineHealth/*' EngineAuxiliary 'EngineAuxiliary/*' EngineResiduals EngineDescription \
-      MonitorStatus HealthEvent CommandReply ;;
+      MonitorStatus HealthEvent FlightSummary CommandReply ;;
     viewer) ;;
     operator) echo MonitorCommand SimCommand ;;
   esac
 }
 may_subscribe() {
-  local shown='EngineHealth EngineHealth/* EngineAuxiliary EngineAuxiliary/* EngineResiduals EngineDescription MonitorStatus HealthEvent EngineTruth'
+  local shown='EngineHealth EngineHealth/* EngineAuxiliary EngineAuxiliary/* EngineResiduals EngineDescription MonitorStatus HealthEvent FlightSummary EngineTruth'
   case $1 in
     sensor_source) echo SimCommand EngineResiduals ;;
     monitor) echo EngineSensors EngineDescription EngineHealth MonitorCommand ;; # EngineHealth: of its partner

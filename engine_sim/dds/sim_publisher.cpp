@@ -33,6 +33,11 @@ SimPublisher::SimPublisher(idl::Participant& participant, std::uint32_t engine_i
   truth_sample_.source_id(source_id);
 }
 
+void SimPublisher::state_mismatch(std::span<const double> mismatch) {
+  truth_sample_.mismatch_count(static_cast<std::uint32_t>(mismatch.size()));
+  std::copy(mismatch.begin(), mismatch.end(), truth_sample_.mismatch().begin());
+}
+
 void SimPublisher::describe(const EngineChannels& channels) {
   EngineDescription d;
   d.engine_id(sensors_sample_.engine_id());

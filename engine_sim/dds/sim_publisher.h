@@ -13,6 +13,8 @@ class SimPublisher {
 
   /// Names, units, trim and noise of the channels; once, late joiners get it too.
   void describe(const EngineChannels& channels);
+  /// Told with each truth from now on.
+  void state_mismatch(std::span<const double> mismatch);
   /// `source_time_ns` stamps the sample; false when the middleware refused it.
   bool publish(const EngineSample& sample, std::int64_t source_time_ns);
 

@@ -2,12 +2,12 @@
 #include "monitor/checkpoint/checkpoint.h"
 
 #include <limits>
+#include <utility>
 
-#include "deploy/runtime/files/content_hash.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/json_object.h"
-#include "deploy/runtime/numbers/decompositions.h"
 #include "deploy/runtime/numbers/index.h"
+#include "monitor/checkpoint/state_json.h"
 #include "monitor/design/make_estimator.h"
 
 namespace ehm::monitor {
@@ -17,34 +17,11 @@ namespace {
 using files::Json;
 using files::JsonObject;
 
-constexpr const char* remedy = "Remove the file; the monitor then starts cold and writes a new one";
-
-[[noreturn]] void defect(const JsonObject& object, const std::string& name, const Json& value,
-                         const std::string& allowed) {
-  files::throw_defect(object.file(), object.key(name), files::shown(value), allowed, remedy);
-}
-
-template <class Integer>
-Integer integer(JsonObject& object, const std::string& name, Integer min, Integer max) {
-  const Json& value = object.at(name);
-  const std::string allowed = std::to_string(min) + " to " + std::to_string(max);
-  if (!value.is_number_integer()) defect(object, name, value, allowed);
-  if (value.is_number_unsigned()) {
-    const auto number = value.get<std::uint64_t>();
-    if (number > static_cast<std::uint64_t>(max) || (min > 0 && number < static_cast<std::uint64_t>(min)))
-      defect(object, name, value, allowed);
-    return static_cast<Integer>(number);
-  }
-  const auto number = value.get<std::int64_t>();  // negative
-  if (std::is_unsigned_v<Integer> || number < static_cast<std::int64_t>(min)) defect(object, name, value, allowed);
-  return static_cast<Integer>(number);
-}
-
 Eigen::Index length(JsonObject& object, const std::string& name, int max) {
   const Json& value = object.array(name);
   if (value.empty() || value.size() > as_size(max))
     files::throw_defect(object.file(), object.key(name), std::to_string(value.size()) + " long",
-                        "1 to " + std::to_string(max), remedy);
+                        "1 to " + std::to_string(max), state_json::remedy);
   return as_index(value.size());
 }
 
@@ -54,16 +31,8 @@ Eigen::MatrixXd matrix(JsonObject& object, const std::string& name, Eigen::Index
   const std::size_t columns = first.empty() || !first[0].is_array() ? 0 : first[0].size();
   if (columns > as_size(max_columns))
     files::throw_defect(object.file(), object.key(name), std::to_string(columns) + " columns wide",
-                        "at most " + std::to_string(max_columns), remedy);
+                        "at most " + std::to_string(max_columns), state_json::remedy);
   return object.matrix(name, rows, as_index(columns));
-}
-
-/// A larger number is no state of any filter, and would make the next one infinite.
-template <class Matrix>
-void require_moderate(const JsonObject& object, const std::string& name, const Matrix& values) {
-  constexpr double largest = 1e9;
-  if (values.size() > 0 && values.cwiseAbs().maxCoeff() > largest)
-    defect(object, name, values.cwiseAbs().maxCoeff(), "magnitudes up to " + files::shown(largest));
 }
 
 Json error_to_json(const estimation::ErrorState& error) {
@@ -72,31 +41,16 @@ Json error_to_json(const estimation::ErrorState& error) {
           {"covariance", files::to_json(error.covariance, "checkpoint", "error.covariance")}};
 }
 
-/// Symmetric, and no direction has a negative variance, but for rounding: else the filter's gains would mean nothing.
-void require_covariance(const JsonObject& object, const Eigen::MatrixXd& covariance) {
-  constexpr double rounding = 1e-9;
-  const double size = covariance.cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < covariance.rows(); ++i)
-    if (covariance(i, i) < 0.0)
-      defect(object, "covariance[" + std::to_string(i) + "][" + std::to_string(i) + "]", covariance(i, i),
-             "a variance, 0 or more");
-  const double skew = (covariance - covariance.transpose()).cwiseAbs().maxCoeff();
-  if (skew > rounding * size) defect(object, "covariance", skew, "symmetric: its two halves differ by as much");
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance, Eigen::EigenvaluesOnly);
-  if (const double least = solver.eigenvalues().minCoeff(); least < -rounding * size)
-    defect(object, "covariance", least, "a least eigenvalue of 0 or more");
-}
-
 estimation::ErrorState error_from_json(JsonObject& root, Eigen::Index augmented) {
   JsonObject object(root.at("error"), root.file(), root.key("error"));
   estimation::ErrorState error;
-  error.remaining = integer(object, "remaining_samples", 0, std::numeric_limits<int>::max());
+  error.remaining = state_json::integer(object, "remaining_samples", 0, std::numeric_limits<int>::max());
   error.mean = matrix(object, "mean", augmented, estimation::max_unknowns);
   error.covariance = object.matrix("covariance", augmented, augmented);
   object.refuse_unknown();
-  require_moderate(object, "mean", error.mean);
-  require_moderate(object, "covariance", error.covariance);
-  require_covariance(object, error.covariance);
+  state_json::require_moderate(object, "mean", error.mean);
+  state_json::require_moderate(object, "covariance", error.covariance);
+  state_json::require_covariance(object, error.covariance);
   return error;
 }
 
@@ -110,11 +64,12 @@ void state_to_json(const estimation::EstimatorState& state, Json& json) {
 
 estimation::EstimatorState state_from_json(JsonObject& object, bool has_hold) {
   estimation::EstimatorState state;
-  state.missing_sensor = integer(object, "missing_sensor", -1, estimation::max_sensors - 1);
+  state.missing_sensor = state_json::integer(object, "missing_sensor", -1, estimation::max_sensors - 1);
   if (has_hold)
-    state.held_samples = integer<std::int64_t>(object, "held_samples", 0, std::numeric_limits<std::int32_t>::max());
+    state.held_samples =
+        state_json::integer<std::int64_t>(object, "held_samples", 0, std::numeric_limits<std::int32_t>::max());
   state.estimate = object.vector("estimate", length(object, "estimate", estimation::max_augmented));
-  require_moderate(object, "estimate", state.estimate);
+  state_json::require_moderate(object, "estimate", state.estimate);
   state.error = error_from_json(object, state.estimate.size());
   return state;
 }
@@ -132,7 +87,7 @@ std::vector<CompanionState> companions_from_json(JsonObject& root) {
   for (const auto& [name, value] : root.at("companions").items()) {
     const std::string_view known = design::known_name(name);
     if (known.empty() || known == design::tuner_name)
-      defect(root, "companions", name, "estimators beside the tuner filter, of " + design::known_names());
+      state_json::defect(root, "companions", name, "estimators beside the tuner filter, of " + design::known_names());
     JsonObject companion(object.at(name), root.file(), object.key(name));
     companions.push_back({known, state_from_json(companion, true)});
     companion.refuse_unknown();
@@ -156,22 +111,23 @@ ReturnGate::Memory return_gate_from_json(JsonObject& root) {
   memory.wide_variance = object.positive_number("wide_variance");
   memory.age_s = object.number("age_s");
   memory.bias = object.number("bias");
-  if (memory.age_s < 0.0) defect(object, "age_s", memory.age_s, "0 or more");
+  if (memory.age_s < 0.0) state_json::defect(object, "age_s", memory.age_s, "0 or more");
   object.refuse_unknown();
   return memory;
 }
 
 estimation::SensorMask excluded_from_json(JsonObject& root) {
-  const auto bits = integer<std::uint32_t>(root, "excluded_sensors", 0, (1u << estimation::max_sensors) - 1);
+  const auto bits =
+      state_json::integer<std::uint32_t>(root, "excluded_sensors", 0, (1u << estimation::max_sensors) - 1);
   return estimation::SensorMask(bits);
 }
 
 void read_source(JsonObject& root, CycleState& state) {
   JsonObject object(root.at("source"), root.file(), root.key("source"));
-  state.source_id = integer<std::uint32_t>(object, "id", 0, std::numeric_limits<std::uint32_t>::max());
-  state.sequence = integer<std::uint64_t>(object, "sequence", 0, std::numeric_limits<std::uint64_t>::max());
-  state.source_time_ns = integer<std::int64_t>(object, "time_ns", std::numeric_limits<std::int64_t>::min(),
-                                               std::numeric_limits<std::int64_t>::max());
+  state.source_id = state_json::integer<std::uint32_t>(object, "id", 0, std::numeric_limits<std::uint32_t>::max());
+  state.sequence = state_json::integer<std::uint64_t>(object, "sequence", 0, std::numeric_limits<std::uint64_t>::max());
+  state.source_time_ns = state_json::integer<std::int64_t>(object, "time_ns", std::numeric_limits<std::int64_t>::min(),
+                                                           std::numeric_limits<std::int64_t>::max());
   object.refuse_unknown();
 }
 
@@ -179,12 +135,9 @@ void read_source(JsonObject& root, CycleState& state) {
 bool verify(JsonObject& root, Json content) {
   const std::string schema = root.text("schema");
   if (schema != checkpoint_schema && schema != checkpoint_schema_before)
-    defect(root, "schema", schema,
-           std::string("\"") + checkpoint_schema + "\" or \"" + checkpoint_schema_before + "\"");
-  const std::string stated = root.text("hash");
-  content.erase("hash");
-  const std::string actual = files::sha256_hex(content.dump());
-  if (stated != actual) defect(root, "hash", stated, "\"" + actual + "\", the SHA-256 of the content");
+    state_json::defect(root, "schema", schema,
+                       std::string("\"") + checkpoint_schema + "\" or \"" + checkpoint_schema_before + "\"");
+  state_json::require_hash(root, std::move(content));
   return schema == checkpoint_schema;
 }
 
@@ -201,8 +154,7 @@ std::string to_text(const Checkpoint& c) {
                {"return_gate", return_gate_to_json(s.return_gate)},
                {"companions", companions_to_json(s.companions)}};
   state_to_json(s.watch, json);
-  json["hash"] = files::sha256_hex(json.dump());
-  return json.dump() + "\n";
+  return state_json::hashed_text(std::move(json));
 }
 
 Checkpoint parse_checkpoint(std::string_view text, const std::string& file) {
@@ -210,9 +162,9 @@ Checkpoint parse_checkpoint(std::string_view text, const std::string& file) {
   JsonObject root(json, file, "");
   const bool present_schema = verify(root, json);
   Checkpoint c;
-  c.engine_id = integer<std::uint32_t>(root, "engine_id", 1, std::numeric_limits<std::uint32_t>::max());
+  c.engine_id = state_json::integer<std::uint32_t>(root, "engine_id", 1, std::numeric_limits<std::uint32_t>::max());
   c.design_hash = root.text("design");
-  c.wall_time_ns = integer<std::int64_t>(root, "wall_time_ns", 0, std::numeric_limits<std::int64_t>::max());
+  c.wall_time_ns = state_json::integer<std::int64_t>(root, "wall_time_ns", 0, std::numeric_limits<std::int64_t>::max());
   read_source(root, c.state);
   c.state.excluded = excluded_from_json(root);
   c.state.watch = state_from_json(root, present_schema);

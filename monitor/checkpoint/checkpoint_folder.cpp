@@ -53,13 +53,13 @@ std::string checkpoint_path(const std::string& folder, std::uint32_t engine_id) 
       .string();
 }
 
-void require_writable_folder(const std::string& folder) {
+void require_writable_folder(const std::string& folder, const char* key) {
   try {
     const std::string probe = (std::filesystem::path(folder) / "writable").string();
     files::AtomicFile file(probe);  // its temporary file is gone without commit()
   } catch (const files::FileError& e) {
     throw files::FileError(
-        "'checkpoint.directory' is '" + folder + "', which cannot be written: " + e.what() +
+        "'" + std::string(key) + "' is '" + folder + "', which cannot be written: " + e.what() +
         " The unit ehm-monitor@NAME makes /var/lib/ehm/NAME at its start, and may write nowhere else.");
   }
 }

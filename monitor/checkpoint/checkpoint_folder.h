@@ -15,8 +15,9 @@ namespace ehm::monitor {
 std::string checkpoint_path(const std::string& folder, std::uint32_t engine_id);
 
 /// Tried at start, so that a wrong folder is found by the operator and not by the first kill.
+/// `key`: that names it, for the message.
 /// @throws files::FileError with the folder and the system's reason if it does not exist or cannot be written.
-void require_writable_folder(const std::string& folder);
+void require_writable_folder(const std::string& folder, const char* key);
 
 /// A file that was not taken: which, and one sentence why.
 struct RefusedCheckpoint {

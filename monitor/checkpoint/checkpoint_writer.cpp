@@ -30,7 +30,7 @@ CheckpointWriter::CheckpointWriter(std::string folder, NoticeBoard& notices, std
       notices_(notices),
       queue_(std::make_unique<SpscQueue<CheckpointRequest, queue_length>>(room_for(companions))) {
   try {
-    require_writable_folder(folder_);
+    require_writable_folder(folder_, "checkpoint.directory");
   } catch (const files::FileError& e) {
     tell(true, e.what());
   }

@@ -53,16 +53,19 @@ SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOpti
 }
 
 SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
-                         const linear_model::LinearModel& model)
+                         const linear_model::LinearModel& model, const estimation::SensorSpan& span)
     : options_(options), memory_(model.sensors.size()), quiet_(model.sensors.size()) {
   require_known(sensors, model);
   // sqrt of diag(H Ph H^T): what the fleet's health makes of each sensor
   const Eigen::VectorXd spread = (estimation::steady_gain(model).H * model.health_sigma.asDiagonal()).rowwise().norm();
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
-    trim_.push_back(model.sensors[i].trim);
+    const double trim = model.sensors[i].trim;
     const auto at = as_index(i);
     percent_.push_back(std::max({linear_model::percent_of_trim(model.sensors[i], 0.0), model.sensor_noise_sigma(at),
                                  spread(at) / spreads_of_range}));
+    const bool spanned = at < span.least.size() && span.least(at) <= span.greatest(at);
+    least_.push_back((spanned ? std::min(trim, span.least(at)) : trim) - options.range_percent * percent_[i]);
+    greatest_.push_back((spanned ? std::max(trim, span.greatest(at)) : trim) + options.range_percent * percent_[i]);
     const SensorKind kind = sensor_kind(options, sensors, model, i);
     stuck_.emplace_back(kind);
     may_be_quiet_.push_back(kind.operators_limit != 0);
@@ -79,7 +82,7 @@ std::uint32_t SensorCheck::reasons(const Sample& sample, int sensor, int steps) 
   if (!std::isfinite(value)) return reason::not_finite;
 
   std::uint32_t reasons = 0;
-  if (std::abs(value - trim_[i]) > options_.range_percent * percent_[i]) reasons |= reason::range;
+  if (value < least_[i] || value > greatest_[i]) reasons |= reason::range;
   // A sensor that speaks every n samples has moved for n.
   const double since = static_cast<double>(std::max<std::int64_t>(1, steps) * stuck.hold());
   if (memory.has_last && std::abs(value - memory.last) > options_.rate_percent * percent_[i] * since)

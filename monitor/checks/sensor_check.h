@@ -15,17 +15,19 @@
 #include "monitor/checks/stuck_watch.h"
 #include "monitor/data/options.h"
 #include "monitor/data/sample.h"
+#include "monitor/estimation/estimator.h"
 
 namespace ehm::monitor {
 
 class SensorCheck {
  public:
+  /// `span`: what healthy sensors read where the published estimator holds; the range is around it and the trim.
   /// One percent, of range and rate, is the largest of one percent of the trim's size (scaling.h), one sigma of the
   /// sensor's noise, and a tenth of what the fleet's health moves it by: the latter two where the trim has no size, or
   /// lies near zero.
   /// @throws std::invalid_argument if one of `sensors` names no sensor of the model (names those that it has).
   SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
-              const linear_model::LinearModel& model);
+              const linear_model::LinearModel& model, const estimation::SensorSpan& span = {});
 
   /// `steps` sample times lie between this value and the last one.
   std::uint32_t reasons(const Sample& sample, int sensor, int steps) noexcept;
@@ -44,7 +46,8 @@ class SensorCheck {
   };
 
   CheckOptions options_;
-  std::vector<double> trim_, percent_;  ///< trim, and what one percent is, by sensor
+  std::vector<double> least_, greatest_;  ///< of the range, by sensor
+  std::vector<double> percent_;           ///< what one percent is
   std::vector<Memory> memory_;
   std::vector<StuckWatch> stuck_;
   std::vector<QuietWatch> quiet_;

@@ -92,6 +92,10 @@ class CompanionEstimators {
     return all_[i].estimator->distance(now);
   }
   const estimation::Innovation& innovation(std::size_t i) const noexcept { return all_[i].estimator->innovation(); }
+  estimation::Learned learned(std::size_t i) const noexcept { return all_[i].estimator->learned(); }
+  bool begin_with(std::size_t i, const estimation::Learned& known, double wear_percent) noexcept {
+    return all_[i].estimator->begin_with(known, wear_percent);
+  }
   void widen(double excess) noexcept {
     for (const Flying& one : all_) one.estimator->widen(excess);
   }

@@ -21,7 +21,7 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       published_(prepared.published),
       shadows_(prepared.shadows),
       intake_(options, design_->model),
-      supervision_(options, design_->model),
+      supervision_(options, design_->model, prepared.span()),
       accommodation_(*design_),
       fleet_(options.fleet, design_->model, prepared.fleet),
       detection_(options, prepared),
@@ -43,7 +43,8 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
 
   const bool was_at_point = at_point_;
   const bool usable = intake_.usable(decision, events_);
-  valid_ = validity_.check(distance_of_published(), events_) && usable;
+  distance_ = distance_of_published();
+  valid_ = validity_.check(distance_, events_) && usable;
   at_point_ = point_.check(watch_.distance(now_)) && valid_;
   if (!valid_) {
     companions_.rest(steps_);

@@ -74,6 +74,15 @@ class MonitorCycle {
   /// process. Refused, nothing is changed. Real-time safe: yes.
   Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
 
+  /// The published estimator's, see estimator.h: what this flight has taught, and from what the next one begins. Nothing
+  /// where that is the watch filter. Real-time safe: yes.
+  estimation::Learned learned() const noexcept {
+    return published_ == watch_filter ? estimation::Learned{} : companions_.learned(as_size(published_));
+  }
+  bool begin_with(const estimation::Learned& known, double wear_percent) noexcept {
+    return published_ != watch_filter && companions_.begin_with(as_size(published_), known, wear_percent);
+  }
+
   /// Of the latest sample that was in order.
   const CycleResult& result() const noexcept { return result_; }
   const design::Design& design() const noexcept { return *design_; }
@@ -82,6 +91,10 @@ class MonitorCycle {
   int shadows() const noexcept { return static_cast<int>(shadows_.size()); }
   const estimation::TunerEstimator& watch() const noexcept { return watch_; }
   const SampleIntake& intake() const noexcept { return intake_; }
+  /// Sample times from the sample before to the latest; 1 after a restart.
+  int steps() const noexcept { return steps_; }
+  /// How far the latest sample is from where the published estimator holds; above 1 it does not.
+  double distance() const noexcept { return distance_; }
   const FaultDetection& detection() const noexcept { return detection_; }
   const CycleCounters& counters() const noexcept { return counters_; }
   /// Goes on counting for a predecessor.
@@ -130,6 +143,7 @@ class MonitorCycle {
 
   estimation::Conditions before_, now_;  ///< at the sample before, and at this one
   int steps_ = 1;                        ///< sample times between the two
+  double distance_ = 0.0;                ///< of the published estimator, at the present one
   bool valid_ = true;                    ///< the published estimator's model holds here
   bool at_point_ = true;                 ///< the watch filter's does
   Verdict verdict_;                      ///< on this sample, for the next one

@@ -29,6 +29,11 @@ struct PreparedDesign {
     return options.estimator == estimator && options.validity == validity;
   }
 
+  /// What healthy sensors read where the published estimator holds.
+  estimation::SensorSpan span() const {
+    return published == watch_filter ? estimation::SensorSpan{} : companions[as_size(published)].prototype->span();
+  }
+
   std::shared_ptr<const design::Design> design;
   EstimatorOptions estimator;
   ValidityOptions validity;

@@ -11,11 +11,12 @@ namespace ehm::monitor {
 
 namespace reason = idl::reject_reason;
 
-SensorSupervision::SensorSupervision(const CycleOptions& options, const linear_model::LinearModel& model)
+SensorSupervision::SensorSupervision(const CycleOptions& options, const linear_model::LinearModel& model,
+                                     const estimation::SensorSpan& span)
     : options_(options.checks),
       sample_time_s_(model.sample_time_s),
       sensors_(static_cast<int>(model.sensors.size())),
-      sensor_check_(options.checks, options.sensors, model),
+      sensor_check_(options.checks, options.sensors, model, span),
       qualification_(model.sensors.size()),
       gated_(model.sensors.size()),
       sensor_fault_(model.sensors.size()),

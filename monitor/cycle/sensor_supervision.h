@@ -31,7 +31,8 @@ struct GateContext {
 class SensorSupervision {
  public:
   /// @throws std::invalid_argument if an option names no sensor of the model.
-  SensorSupervision(const CycleOptions& options, const linear_model::LinearModel& model);
+  SensorSupervision(const CycleOptions& options, const linear_model::LinearModel& model,
+                    const estimation::SensorSpan& span);
 
   /// Checks each value by itself, `steps` sample times after the one before; sets the reasons.
   void check(const Sample& sample, int steps, CycleResult& result, EventList& events) noexcept;

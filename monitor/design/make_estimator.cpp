@@ -35,7 +35,7 @@ constexpr std::array kinds{
                     return std::make_unique<estimation::TimeVaryingEstimator>(make_time_varying_model(design),
                                                                               distance);
                   }},
-    EstimatorKind{"onboard",
+    EstimatorKind{on_board_name,
                   "the nonlinear engine itself as model, from taxi to taxi, with what its build may differ by",
                   [](const Design& design, const EstimatorOptions& options, const estimation::PointDistance&) {
                     return make_on_board_estimator(design, options);

@@ -18,6 +18,7 @@
 namespace ehm::design {
 
 inline constexpr const char* tuner_name = "tuner";
+inline constexpr const char* on_board_name = "onboard";
 
 struct EstimatorKind {
   const char* name;         ///< in configuration, on the wire, in recordings

@@ -8,6 +8,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "engine_sim/engines/sensor_lags.h"
 #include "engine_sim/engines/shipped_engines.h"
+#include "engine_sim/mismatch/mismatch.h"
 #include "monitor/onboard/on_board_estimator.h"
 
 namespace ehm::design {
@@ -69,8 +70,8 @@ void require_channels(const Design& design, const sim::NamedChannels& c) {
 
 }  // namespace
 
-std::unique_ptr<estimation::Estimator> make_on_board_estimator(const Design& design,
-                                                               const monitor::EstimatorOptions& options) {
+std::shared_ptr<const onboard::OnBoardModel> make_on_board_model(const Design& design,
+                                                                 const monitor::EstimatorOptions& options) {
   const auto engine = std::make_shared<sim::EngineDefinition>(*engine_for(design, options.engine));
   require_channels(design, engine->channels);
   sim::add_lags({options.lag_speed_s, options.lag_pressure_s, options.lag_temperature_s}, engine->channels.sensors);
@@ -81,8 +82,20 @@ std::unique_ptr<estimation::Estimator> make_on_board_estimator(const Design& des
   std::vector<double> noise_sigma;
   if (options.noise_of == "trim")
     noise_sigma.assign(design.model.sensor_noise_sigma.begin(), design.model.sensor_noise_sigma.end());
-  return std::make_unique<onboard::OnBoardEstimator>(
-      std::make_shared<const onboard::OnBoardModel>(engine, settings, noise_sigma));
+  return std::make_shared<const onboard::OnBoardModel>(engine, settings, noise_sigma);
+}
+
+std::vector<std::string> learned_names(const onboard::OnBoardModel& model) {
+  std::vector<std::string> names =
+      names_of(model.definition().channels.health, [](const auto& h) { return sim::health_names[h.parameter]; });
+  for (const onboard::OnBoardCause& cause : model.causes())
+    names.emplace_back(sim::mismatch_causes()[cause.index].name);
+  return names;
+}
+
+std::unique_ptr<estimation::Estimator> make_on_board_estimator(const Design& design,
+                                                               const monitor::EstimatorOptions& options) {
+  return std::make_unique<onboard::OnBoardEstimator>(make_on_board_model(design, options));
 }
 
 }  // namespace ehm::design

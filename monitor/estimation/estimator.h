@@ -18,6 +18,7 @@
 #include "monitor/estimation/capacity.h"
 #include "monitor/estimation/estimate.h"
 #include "monitor/estimation/estimator_state.h"
+#include "monitor/estimation/learned.h"
 
 namespace ehm::estimation {
 
@@ -30,6 +31,12 @@ struct Conditions {
 /// Of all m sensors, sensor units and their squares. Not masked: NaN where there is no value.
 struct Innovation {
   SensorVector value, variance;
+};
+
+/// The least and the greatest reading of each sensor wherever an estimator holds, sensor units; of length 0: those at its
+/// point, the trims.
+struct SensorSpan {
+  SensorVector least, greatest;
 };
 
 class Estimator {
@@ -59,6 +66,18 @@ class Estimator {
   /// estimate() holds from then on. False, and nothing is changed, if the state is not of this estimator and design.
   virtual bool restore(const EstimatorState& state) noexcept = 0;
 
+  /// What this flight has taught so far of the very engine and holds beyond it; empty: this estimator keeps nothing.
+  [[nodiscard]] virtual Learned learned() const noexcept { return {}; }
+  /// Starts anew, now and whenever it starts cold, from what is known of this very engine, with wear of that standard
+  /// deviation since. False, and nothing is changed, if it is not of this estimator's shape.
+  virtual bool begin_with(const Learned& known, double wear_percent) noexcept {
+    static_cast<void>(known);
+    static_cast<void>(wear_percent);
+    return false;
+  }
+
+  /// What healthy sensors read where it holds.
+  [[nodiscard]] virtual SensorSpan span() const noexcept { return {}; }
   /// How far the conditions are from where the model holds, in tolerances; above 1 it extrapolates.
   [[nodiscard]] virtual double distance(const Conditions& conditions) const noexcept = 0;
   [[nodiscard]] virtual const Innovation& innovation() const noexcept = 0;

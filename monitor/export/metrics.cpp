@@ -46,6 +46,13 @@ constexpr StatusMetric engine_metrics[]{
     EHM_GAUGE("ehm_sensors_used", std::popcount(s.sensors_used()), "Sensors in the design that flies."),
     EHM_GAUGE("ehm_latency_max_seconds", us* s.latency_max_us(),
               "Longest time from a sample's reception to its estimate's publication."),
+    EHM_GAUGE("ehm_flight_phase", s.flight_phase(),
+              "0 unknown, 1 taxi, 2 take-off, 3 climb, 4 cruise, 5 descent, 6 approach."),
+    EHM_GAUGE("ehm_flight_number", s.flight(), "Of the present flight, or the latest; 0 before the first."),
+    EHM_GAUGE("ehm_n1_corrected_rpm", s.n1_corrected_rpm(), "Corrected fan speed N1c; 0 while unknown."),
+    EHM_GAUGE("ehm_eta", s.eta(), "ln N1c less its lag of 25 s: how far the metal is from its balance."),
+    EHM_GAUGE("ehm_validity_distance", s.validity_distance(),
+              "Of the published estimator at the present conditions; above 1 it does not hold."),
     EHM_COUNTER("ehm_samples_received_total", samples_received, "Sensor samples that came."),
     EHM_COUNTER("ehm_samples_processed_total", samples_processed, "Samples that led to estimates."),
     EHM_COUNTER("ehm_samples_lost_total", samples_lost, "Gaps of the sequence, in samples."),
@@ -216,6 +223,14 @@ MetricFamily conditions(const Fleet& fleet) {
       true);
 }
 
+/// `value`: of the latest flight, where its margins are known.
+MetricFamily margin(const Fleet& fleet, const char* name, const char* help, double (*value)(const FlightSummary&)) {
+  return fleet.family(name, help, MetricType::Gauge, [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
+    if (engine.flight && engine.flight->margins_known() != 0)
+      f.metric.push_back(sample(fleet.labels(id), value(*engine.flight)));
+  });
+}
+
 MetricFamily engine_info(const Fleet& fleet) {
   return fleet.family("ehm_engine_info", "1; which design flies for which type of engine.", MetricType::Gauge,
                       [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
@@ -251,6 +266,11 @@ std::string metrics_text(const ServiceView& view) {
                                &EstimateView::value));
   families.push_back(estimates(fleet, "ehm_estimate_sigma", "Standard deviation of the estimate's whole error.",
                                &EstimateView::sigma));
+  families.push_back(margin(fleet, "ehm_egt_margin_kelvin",
+                            "What T48 had left at hot-day take-off after the last flight.",
+                            [](const FlightSummary& s) { return s.egt_margin_k(); }));
+  families.push_back(margin(fleet, "ehm_egt_margin_sigma_kelvin", "Standard deviation of that margin.",
+                            [](const FlightSummary& s) { return s.egt_margin_sigma_k(); }));
   families.push_back(flags(fleet));
   families.push_back(events(fleet));
   families.push_back(conditions(fleet));

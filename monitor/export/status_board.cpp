@@ -42,6 +42,11 @@ void StatusBoard::post(const EngineDescription& description) {
   engine.engine_type = description.engine_type().c_str();
 }
 
+void StatusBoard::post(const FlightSummary& summary) {
+  const std::lock_guard lock(mutex_);
+  engines_[summary.engine_id()].flight = summary;
+}
+
 void StatusBoard::post(std::uint32_t engine_id, const linear_model::LinearModel& model,
                        const EstimateSnapshot& estimates) {
   std::vector<EstimateView> views;

@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@ struct EngineView {
   std::int64_t status_ns = 0;  ///< monotonic, when that status was hung up; 0: none yet
   std::string design_hash, engine_type;
   std::vector<EstimateView> estimates;                               ///< empty while there are none
+  std::optional<FlightSummary> flight;                               ///< the latest that has ended
   std::array<std::uint64_t, idl::event_kind_names.size()> raised{};  ///< events by kind
   /// By kind and channel, with the channel's name: is the condition raised now?
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::string, bool>> conditions;
@@ -43,6 +45,7 @@ class StatusBoard {
   bool post(const MonitorStatus& status);
   void post(const HealthEvent& event);
   void post(const EngineDescription& description);
+  void post(const FlightSummary& summary);
   void post(std::uint32_t engine_id, const linear_model::LinearModel& model, const EstimateSnapshot& estimates);
 
   /// The engine is not served any more.

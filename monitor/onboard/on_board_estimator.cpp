@@ -88,9 +88,13 @@ Learned OnBoardEstimator::learned() const noexcept {
   return {xi_.segment(first, n), covariance_.matrix().block(first, first, n, n)};
 }
 
-void OnBoardEstimator::begin_with(const Learned& prior) noexcept {
-  prior_ = prior;
+bool OnBoardEstimator::begin_with(const Learned& known, double wear_percent) noexcept {
+  if (known.value.size() != prior_.value.size() || known.covariance.rows() != prior_.covariance.rows() ||
+      known.covariance.cols() != prior_.covariance.cols())
+    return false;
+  prior_ = after_wear(known, *model_, wear_percent);
   reset();
+  return true;
 }
 
 bool OnBoardEstimator::use(SensorMask available) noexcept {

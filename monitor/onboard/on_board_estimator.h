@@ -40,13 +40,12 @@ class OnBoardEstimator final : public estimation::Estimator {
   void widen(double excess) noexcept override;
   void save(estimation::EstimatorState& state) const noexcept override;
   bool restore(const estimation::EstimatorState& state) noexcept override;
+  [[nodiscard]] estimation::SensorSpan span() const noexcept override { return model_->span(); }
   [[nodiscard]] double distance(const estimation::Conditions& conditions) const noexcept override;
   [[nodiscard]] const estimation::Innovation& innovation() const noexcept override { return innovation_; }
   [[nodiscard]] const estimation::Estimate& estimate() const noexcept override { return estimate_; }
-  /// What this flight has taught so far.
-  Learned learned() const noexcept;
-  /// Starts anew, and whenever it starts cold, from what is known of this very engine. Real-time safe: yes.
-  void begin_with(const Learned& prior) noexcept;
+  [[nodiscard]] Learned learned() const noexcept override;
+  bool begin_with(const Learned& known, double wear_percent) noexcept override;
   /// How often it has found that something stepped, since it was made.
   std::int64_t steps_found() const noexcept { return steps_found_; }
 

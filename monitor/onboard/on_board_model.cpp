@@ -8,6 +8,7 @@
 
 #include "engine_sim/model/onboard/gas_path_quantities.h"
 #include "engine_sim/model/parts/root_theta.h"
+#include "monitor/onboard/flight_span.h"
 
 namespace ehm::onboard {
 namespace {
@@ -57,7 +58,8 @@ OnBoardModel::OnBoardModel(std::shared_ptr<const sim::EngineDefinition> engine, 
       engine_(definition_->data),
       noise_sigma_(std::move(noise_sigma)),
       causes_(causes_of(definition_->data, options)),
-      soak_time_s_(1.0) {
+      soak_time_s_(1.0),
+      span_(flight_span(engine_, definition_->channels)) {
   for (const sim::SensorChannel& sensor : definition_->channels.sensors) sensors_.push_back(place_of(*sensor.quantity));
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     if (sensors_[i].place == *sim::gas_path_quantity::place("n1_rpm")) speed_sensors_[0] = static_cast<int>(i);

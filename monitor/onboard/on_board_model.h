@@ -14,6 +14,7 @@
 #include "engine_sim/engines/engine_definition.h"
 #include "engine_sim/mismatch/mismatch.h"
 #include "engine_sim/model/turbofan.h"
+#include "monitor/estimation/estimator.h"
 
 namespace ehm::onboard {
 
@@ -80,6 +81,8 @@ class OnBoardModel {
   int speed_sensor(int spool) const { return speed_sensors_[static_cast<std::size_t>(spool)]; }
   /// N1/sqrt(theta2) of the design point.
   double design_n1_corrected_rpm() const { return design_n1_corrected_rpm_; }
+  /// What its sensors read over all flights.
+  const estimation::SensorSpan& span() const { return span_; }
   /// Time constant of the slowest metal, C/k; 1 s at least.
   double soak_time_s() const { return soak_time_s_; }
 
@@ -92,6 +95,7 @@ class OnBoardModel {
   std::array<int, 2> speed_sensors_{-1, -1};
   std::vector<OnBoardCause> causes_;
   double design_n1_corrected_rpm_, soak_time_s_;
+  estimation::SensorSpan span_;
 };
 
 }  // namespace ehm::onboard

@@ -12,6 +12,22 @@ namespace sim = engine_sim;
 
 constexpr double difference_percent = 0.5;
 
+/// By how much more than `thrust_n` the engine gives when T48 is higher by `margin_k`, as a share, and 1/K of it there.
+struct ThrustReserve {
+  double share, per_k;
+};
+ThrustReserve thrust_reserve(const sim::Turbofan& engine, const sim::HealthVector& health, double thrust_n,
+                             double margin_k) {
+  constexpr double difference = 0.01;
+  constexpr int steps = 3;  // a secant: T48 is nearly straight in thrust
+  const double here_k = egt_margin_k(engine, health, thrust_n);
+  const auto used_k = [&](double share) { return here_k - egt_margin_k(engine, health, thrust_n * (1.0 + share)); };
+  const double per_k = difference / used_k(difference);
+  double share = margin_k * per_k;
+  for (int i = 0; i < steps && share != 0.0; ++i) share *= margin_k / used_k(share);
+  return {share, per_k};
+}
+
 }  // namespace
 
 double take_off_thrust_n(const sim::Turbofan& filed) {
@@ -51,7 +67,9 @@ TakeOffMargin take_off_margin(const OnBoardModel& model, const Learned& learned)
     slope(at) = egt_margin_k(*cause.altered, health, thrust_n) - at_health_k;
     margin_k += slope(at) * learned.value(at);
   }
-  return {margin_k, std::sqrt(slope.dot(learned.covariance * slope))};
+  const double sigma_k = std::sqrt(slope.dot(learned.covariance * slope));
+  const ThrustReserve reserve = thrust_reserve(model.engine(), health, thrust_n, margin_k);
+  return {margin_k, sigma_k, reserve.share, reserve.per_k * sigma_k};
 }
 
 }  // namespace ehm::onboard

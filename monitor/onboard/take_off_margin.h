@@ -4,6 +4,7 @@
 // what a flight has taught.
 //   margin = T48max - T48(h, c) - T_c c      at hot_day, with the take-off thrust of the engine as filed, no off-take
 //   sigma^2 = g' P g,   g = [dT48/dh, T_c]   T_c: by which each cause of the build at its sigma moves T48
+//   thrust margin: what Fn could grow by there, as a share, until the margin is used up; sigma by the same slope
 // Health by central differences of half a percent; the metal is in balance, what instruments misread changes no engine.
 // Errors: @throws engine_sim::SolveError where the engine does not reach the thrust (says so). Solves some 40 steady
 // points, each in some tenths of a millisecond: not for the cycle path.
@@ -20,6 +21,7 @@ inline constexpr double take_off_power = 1.0;
 
 struct TakeOffMargin {
   double margin_k, sigma_k;
+  double thrust, thrust_sigma;  ///< the thrust margin
 };
 
 /// The thrust that the engine as filed has there.

@@ -147,6 +147,16 @@ void declare_checkpoint(Schema& schema, MonitorConfig& m) {
               "an older checkpoint, by our clock or by the source's, is not resumed: the filter starts cold");
 }
 
+void declare_history(Schema& schema, HistoryOptions& h) {
+  schema.text("history.directory", h.directory,
+              "existing folder for what is known of each engine from flight to flight: its baseline, from which "
+              "estimator onboard starts, and a line a flight (monitor history ID); empty is none");
+  schema.real("history.wear_percent", h.wear_percent, 0, 5, "percent",
+              "standard deviation by which a health parameter may wear from one flight to the next");
+  schema.integer("history.first_flights", h.first_flights, 1, 1000, "flights",
+                 "in which an engine's build is learned; its wear is counted from what they found");
+}
+
 void declare_sensors(Schema& schema, MonitorConfig& m) {
   schema.tables("sensor",
                 "what is known of one sensor: name, stuck_samples (as many equal values in a row are stuck, 0 is "
@@ -234,6 +244,7 @@ void declare(Schema& schema, MonitorConfig& m) {
   declare_realtime(schema, m.realtime);
   declare_recording(schema, m);
   declare_checkpoint(schema, m);
+  declare_history(schema, m.history);
   schema.integer("dds.domain", m.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", m.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", m.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");

@@ -37,6 +37,7 @@ CycleThread::CycleThread(idl::Participant& participant, const MonitorConfig& con
       exchange_(links.exchange),
       reports_(links.reports),
       checkpoints_(links.checkpoints),
+      flights_(links.flights),
       records_(links.records),
       turns_(links.turns),
       sensors_(participant),
@@ -143,6 +144,7 @@ void CycleThread::handle(const Arrival& arrival) {
     publish(*slot, arrival.arrival_ns);
   }
   if (records_) records_->sample(*slot, accepted);
+  if (accepted) flights_.follow(*slot);
   report_events(*slot);
   if (slot->cycle.counters().malformed != malformed) report_malformed(*slot);
 }
@@ -210,11 +212,11 @@ void CycleThread::report_channel(const EngineSlot& slot, const SourceChannel& ch
 
 void CycleThread::first_sample(EngineSlot& slot) {
   reports_.push({.kind = CycleReport::Kind::new_engine, .engine_id = slot.engine_id, .design = &slot.cycle.design()});
-  if (!checkpoints_) return;
-  if (const auto event = checkpoints_->resume(slot)) {
-    report_event(slot, *event);
-    if (records_ && !event->raised) records_->marker(slot, recording::RowKind::resumed);
-  }
+  const auto event = checkpoints_ ? checkpoints_->resume(slot) : std::nullopt;
+  if (event) report_event(slot, *event);
+  const bool known =
+      flights_.begin(slot);  // an estimator that its checkpoint has left cold goes on from its last flight
+  if (records_ && (known || (event && !event->raised))) records_->marker(slot, recording::RowKind::resumed);
 }
 
 /// EngineHealth first: judging the sample, and the rest of what is published, can wait.
@@ -276,6 +278,7 @@ void CycleThread::watch_input(std::int64_t now_ns) {
         now_ns - slot.status_ns >= status_period_ns_ || static_cast<std::uint32_t>(level) != slot.status_level;
     if (due && statuses++ < most_statuses_a_watch) report_status(slot, level, now_ns);
     if (checkpoints_) checkpoints_->keep(slot, now_ns);
+    flights_.hand_over(slot);
   });
 }
 
@@ -347,6 +350,7 @@ void CycleThread::exchange_table() {
   next->take_over(*engines_, [&](EngineSlot& old, EngineSlot& now) {
     old.cycle.retire();
     report_events(old);
+    flights_.begin(now);
     reports_.push({.kind = CycleReport::Kind::new_engine, .engine_id = now.engine_id, .design = &now.cycle.design()});
     if (records_) records_->marker(now, recording::RowKind::resumed);
   });

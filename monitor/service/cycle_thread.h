@@ -14,6 +14,7 @@
 #include "monitor/dds/convert.h"
 #include "monitor/dds/source_descriptions.h"
 #include "monitor/dds/waiting_room.h"
+#include "monitor/history/flight_keeper.h"
 #include "monitor/realtime/arrival_clock.h"
 #include "monitor/record/record_feed.h"
 #include "monitor/redundancy/peer_watch.h"
@@ -29,7 +30,8 @@ namespace ehm::monitor {
 struct CycleLinks {
   CycleReportQueue& reports;
   CheckpointKeeper* checkpoints;  ///< null: none are kept
-  RecordFeed* records;            ///< null: nothing is recorded
+  FlightKeeper& flights;
+  RecordFeed* records;  ///< null: nothing is recorded
   TableExchange& exchange;
   service::TurnCounter& turns;  ///< grows with every turn and every sample, at least 60 times a second
   std::int64_t start_ns;        ///< of the service, monotonic
@@ -87,6 +89,7 @@ class CycleThread {
   TableExchange& exchange_;
   CycleReportQueue& reports_;
   CheckpointKeeper* checkpoints_;
+  FlightKeeper& flights_;
   RecordFeed* records_;
   std::uint64_t unknown_engine_samples_ = 0;
   ArrivalClock arrival_;

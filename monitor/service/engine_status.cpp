@@ -48,6 +48,11 @@ MonitorStatus make_status(const EngineSlot& slot, StatusLevel level, std::int64_
   s.writes_refused(slot.writes_refused);
   s.sensors_used(static_cast<std::uint32_t>(slot.cycle.result().estimate.sensors.to_ulong()));
   s.flags(slot.cycle.result().flags);
+  s.flight_phase(static_cast<std::uint32_t>(slot.flights.path().phase()));
+  s.flight(slot.flights.flight());
+  s.n1_corrected_rpm(slot.flights.path().n1_corrected_rpm());
+  s.eta(slot.flights.path().eta());
+  s.validity_distance(slot.cycle.distance());
   return s;
 }
 

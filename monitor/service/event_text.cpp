@@ -289,6 +289,7 @@ std::string event_text(const Event& e, const linear_model::LinearModel& model) {
     case idl::EventKind::unreadable_peer:
     case idl::EventKind::held_up:
     case idl::EventKind::source_channels:
+    case idl::EventKind::flight_history:
       break;  // their messages are made where they happen, off the cycle
   }
   return "unknown event";

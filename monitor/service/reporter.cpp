@@ -11,8 +11,10 @@
 #include "idl/printable.h"
 #include "idl/wire_values.h"
 #include "monitor/dds/convert.h"
+#include "monitor/dds/convert_flight.h"
 #include "monitor/dds/misfit_text.h"
 #include "monitor/dds/order_reply.h"
+#include "monitor/history/history_text.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/service/event_text.h"
 
@@ -55,17 +57,20 @@ std::string engine_text(const SourceChannel& c, const linear_model::LinearModel&
 }  // namespace
 
 Reporter::Reporter(idl::Participant& participant, std::uint32_t source_id, CycleReportQueue& queue,
-                   NoticeBoard& notices, InputWatch& input, StatusBoard& board, service::TurnCounter& turns)
+                   NoticeBoard& notices, FlightBoard& flights, InputWatch& input, StatusBoard& board,
+                   service::TurnCounter& turns)
     : unreadable_(participant.unreadable()),
       source_id_(source_id),
       queue_(queue),
       notices_(notices),
+      flights_(flights),
       input_(input),
       board_(board),
       turns_(turns),
       events_(participant),
       status_(participant),
       descriptions_(participant),
+      summaries_(participant),
       replies_(participant),
       thread_([this] { run(); }) {}
 
@@ -219,6 +224,17 @@ void Reporter::report_notices() {
     unreadable_.tell();
   }
   for (const Notice& notice : notices_.take()) say(notice);
+  for (const SummedFlight& summed : flights_.take()) report_flight(summed);
+}
+
+void Reporter::report_flight(const SummedFlight& summed) {
+  FlightSummary summary;
+  convert(summed.flight, summary);
+  summary.engine_id(summed.engine_id);
+  summary.source_id(source_id_);
+  board_.post(summary);  // before the wire: who has heard of it finds it in the metrics
+  summaries_.write(summary);
+  spdlog::info("engine {}: {}", summed.engine_id, flight_line(summed.flight));
 }
 
 void Reporter::report_status(MonitorStatus& status) {

@@ -11,6 +11,7 @@
 #include "idl/wire_values.h"
 #include "monitor/dds/input_watch.h"
 #include "monitor/export/status_board.h"
+#include "monitor/history/flight_keeper.h"
 #include "monitor/shared/cycle_report.h"
 #include "monitor/shared/notice_board.h"
 
@@ -20,7 +21,7 @@ class Reporter {
  public:
   /// What it publishes also hangs on `board`; `turns` grows with each look at the queue.
   Reporter(idl::Participant& participant, std::uint32_t source_id, CycleReportQueue& queue, NoticeBoard& notices,
-           InputWatch& input, StatusBoard& board, service::TurnCounter& turns);
+           FlightBoard& flights, InputWatch& input, StatusBoard& board, service::TurnCounter& turns);
   /// Reports what is still queued, then ends the thread.
   ~Reporter();
   /// From a slow thread: returns once everything that was queued before the call is reported, by this reporter or one
@@ -38,6 +39,7 @@ class Reporter {
   void report_notices();
   void report_status(MonitorStatus& status);
   void report_overflow();
+  void report_flight(const SummedFlight& summed);
   void say(const Notice& notice);
   void publish(HealthEvent& event);
 
@@ -46,6 +48,7 @@ class Reporter {
   std::uint32_t source_id_;
   CycleReportQueue& queue_;
   NoticeBoard& notices_;
+  FlightBoard& flights_;
   InputWatch& input_;
   StatusBoard& board_;
   service::TurnCounter& turns_;
@@ -53,6 +56,7 @@ class Reporter {
   idl::Writer<HealthEvent> events_;
   idl::Writer<MonitorStatus> status_;
   idl::Writer<EngineDescription> descriptions_;
+  idl::Writer<FlightSummary> summaries_;
   idl::Writer<CommandReply> replies_;
   std::int64_t refusal_told_ns_ = 0;
   std::uint64_t refusals_ = 0;    ///< orders refused since then

@@ -16,6 +16,7 @@
 #include "monitor/checkpoint/checkpoint_keeper.h"
 #include "monitor/design/make_estimator.h"
 #include "monitor/export/metrics_endpoint.h"
+#include "monitor/history/flight_keeper.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/record/recorder.h"
 #include "monitor/service/cycle_thread.h"
@@ -91,6 +92,7 @@ struct Shared {
   explicit Shared(const MonitorConfig& config) : input(notices, config.input_deadline_s, config.input_lease_s) {}
   NoticeBoard notices;
   InputWatch input;
+  FlightBoard flights;
   StatusBoard board;
   std::unique_ptr<CycleReportQueue> reports = std::make_unique<CycleReportQueue>();
   TableExchange exchange;
@@ -127,7 +129,7 @@ Parting take_part(const MonitorConfig& config, EngineTable*& engines, Shared& sh
     return idl::Participant(std::move(options));
   }();
   Reporter reporter(participant, static_cast<std::uint32_t>(config.source_id), *shared.reports, shared.notices,
-                    shared.input, shared.board, shared.reporter_turns);
+                    shared.flights, shared.input, shared.board, shared.reporter_turns);
   std::optional<service::SecurityWatch> security;
   if (!config.security.empty())
     security.emplace(
@@ -172,7 +174,9 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
   if (!config.record.file.empty()) recorder.emplace(config, *engines, shared.notices);
   std::optional<Checkpoints> checkpoints;
   if (!config.checkpoint_directory.empty()) checkpoints.emplace(config, *engines, shared.notices);
+  FlightKeeper flights(config, *engines, shared.notices, shared.flights);
   const auto know = [&](const EngineTable& next) {
+    flights.add_designs(next);
     if (recorder) recorder->add_engines(next);
     if (!config.security.empty()) look_at_identity(config, shared);
   };
@@ -182,11 +186,9 @@ void run_service(const MonitorConfig& config, std::unique_ptr<EngineTable> table
       config.metrics_listen, static_cast<std::uint32_t>(config.source_id), shared.board,
       {shared.cycle_turns, shared.reporter_turns, config.status_period_s, shared.certificate_expires_s});
   const service::Watchdog watchdog({{&shared.cycle_turns, "cycle"}, {&shared.reporter_turns, "reporter"}});
-  const CycleLinks links{*shared.reports,
-                         checkpoints ? &checkpoints->keeper : nullptr,
-                         recorder ? &recorder->feed() : nullptr,
-                         shared.exchange,
-                         shared.cycle_turns,
+  const CycleLinks links{*shared.reports, checkpoints ? &checkpoints->keeper : nullptr,
+                         flights,         recorder ? &recorder->feed() : nullptr,
+                         shared.exchange, shared.cycle_turns,
                          monotonic_ns()};
   Parting parting = take_part(config, engines, shared, links, stop, [&](const RealtimeThread& realtime) {
     spdlog::info("monitor {} listens on domain {}, {}, filters for {} engines are ready", config.source_id,

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "monitor/cycle/monitor_cycle.h"
+#include "monitor/flight/flight_log.h"
 #include "monitor/realtime/latency_histogram.h"
 #include "monitor/shared/reset_throttle.h"
 
@@ -30,10 +31,24 @@ struct EngineTally {
   std::uint32_t status_level = 0;
   CycleCounters status_counters;  ///< at that status, to tell what is new
   ResetThrottle resets;
+  FlightLog flights;
+  estimation::Learned landed_with;  ///< what the latest flight has taught, at its landing
+  bool landing_due = false;         ///< that flight has not been handed over yet
 };
 
 struct EngineSlot : EngineTally {
-  EngineSlot(const PreparedDesign& design, const CycleOptions& options) : cycle(design, options) {}
+  EngineSlot(const PreparedDesign& design, const CycleOptions& options)
+      : cycle(design, options), fan(fan_speed_of(cycle.design().model)) {}
+
+  /// After a sample in order, before its events are cleared. True at a landing: the filter has started the next flight,
+  /// for which the engine may have worn by that standard deviation. Real-time safe: yes.
+  bool follow_flight(double wear_percent) noexcept {
+    if (!flights.follow(cycle, fan)) return false;
+    landed_with = cycle.learned();
+    landing_due = true;
+    cycle.begin_with(landed_with, wear_percent);
+    return true;
+  }
 
   /// Everything but the cycle: another design goes on for the same engine. Real-time safe: yes.
   void inherit(const EngineSlot& before) noexcept {
@@ -54,6 +69,7 @@ struct EngineSlot : EngineTally {
   std::uint32_t engine_id = 0;  ///< 0: nobody's yet
   std::size_t number = 0;       ///< its place in the table
   MonitorCycle cycle;
+  FanSpeed fan;                            ///< of the cycle's design
   std::int64_t checkpoint_ns = 0;          ///< monotonic, of the latest checkpoint
   std::uint64_t checkpoint_processed = 0;  ///< samples processed up to that checkpoint
   bool released = false;                   ///< its estimates are no longer written: the monitor stops

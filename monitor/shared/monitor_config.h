@@ -31,6 +31,13 @@ struct OfflineOptions {
   std::string column_map;  ///< of a CSV file
 };
 
+/// What is kept of each engine from flight to flight.
+struct HistoryOptions {
+  std::string directory;           ///< empty: nothing is kept
+  double wear_percent = 0.05;      ///< standard deviation by which a health parameter may wear from flight to flight
+  std::int64_t first_flights = 3;  ///< whose outcome wear is counted from
+};
+
 struct MonitorConfig {
   std::string design;
   std::vector<EngineAssignment> engines;
@@ -43,6 +50,7 @@ struct MonitorConfig {
   RealtimeOptions realtime;
   RecordOptions record;
   OfflineOptions offline;
+  HistoryOptions history;
 
   std::string checkpoint_directory;  ///< empty: no checkpoints
   double checkpoint_period_s = 5.0;

@@ -18,7 +18,7 @@
 #include "engine_health.h"
 #endif
 
-#define TOPICS 10
+#define TOPICS 11
 
 static dds_qos_t *reliable(bool durable, int depth) {
   dds_qos_t *qos = dds_create_qos();
@@ -39,6 +39,7 @@ static int listen_all(dds_entity_t participant, double seconds) {
       {"EngineTruth", &ehm_EngineTruth_desc, false},           {"EngineDescription", &ehm_EngineDescription_desc, true},
       {"MonitorStatus", &ehm_MonitorStatus_desc, true},        {"HealthEvent", &ehm_HealthEvent_desc, true},
       {"SimCommand", &ehm_SimCommand_desc, false},             {"MonitorCommand", &ehm_MonitorCommand_desc, false},
+      {"FlightSummary", &ehm_FlightSummary_desc, true},
   };
   dds_entity_t readers[TOPICS];
   int counts[TOPICS] = {0};

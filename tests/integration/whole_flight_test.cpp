@@ -5,24 +5,31 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <csignal>
 
 #include "tests/integration/pair/pair.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
 using namespace ehm;
 using namespace ehm::test;
 
-class WholeFlightTest : public PairTest {};
+class WholeFlightTest : public PairTest {
+ protected:
+  /// Two hours in twelve minutes: climbs as fast as the monitor believes, and slams ten times as steep.
+  std::string mission() {
+    return file("mission.toml",
+                "[mission]\nname = \"two_hours\"\ntime_scale = 0.1\n"
+                "[mismatch]\nbuild = true\nsoak = true\nseed = 5\n");
+  }
+};
+
+constexpr std::size_t sent = 48'000;
 
 TEST_F(WholeFlightTest, HasEstimatesFromTaxiToTaxiThatKnowTheirErrors) {
   const auto monitor = start_monitor({"--estimator-published", "onboard", "--monitor-clock", "source"});
-  // two hours in twelve minutes: climbs as fast as the monitor believes, and slams ten times as steep
-  const auto simulator =
-      start_simulator({"--run-rate", "max"}, file("mission.toml",
-                                                  "[mission]\nname = \"two_hours\"\ntime_scale = 0.1\n"
-                                                  "[mismatch]\nbuild = true\nsoak = true\nseed = 5\n"));
-  constexpr std::size_t sent = 48'000;
+  const auto simulator = start_simulator({"--run-rate", "max"}, mission());
   // Lockstep waits for the monitor; this listener may lose some under load, so the monitor's own account counts.
   ASSERT_TRUE(listener_.await(
       [&] {
@@ -53,6 +60,60 @@ TEST_F(WholeFlightTest, HasEstimatesFromTaxiToTaxiThatKnowTheirErrors) {
   EXPECT_GT(coverage, 0.85);  // one engine, whose errors hang together; fleets: tuner_design study flight
   EXPECT_LT(claimed, 10.0);   // 40 at the start
   EXPECT_FALSE(listener_.has_event(idl::EventKind::operating_point, true));
+}
+
+// The next flight of an engine starts from what the one before has taught, in another process of the monitor.
+TEST_F(WholeFlightTest, IsSummedUpAtLandingAndTeachesTheNextOne) {
+  const TemporaryFolder folder;
+  const std::string& history = folder.path();
+  idl::Reader<FlightSummary> summaries(participant_);
+  std::vector<FlightSummary> heard;
+  std::vector<double> claimed;  // a second after the start of each flight, percent^2
+  for (int flight = 0; flight < 2; ++flight) {
+    const auto monitor = start_monitor(
+        {"--estimator-published", "onboard", "--monitor-clock", "source", "--history-directory", history});
+    listener_.health.clear();
+    const auto simulator = start_simulator({"--run-rate", "max", "--run-wait-for-monitors", "1"}, mission());
+    FlightSummary summary;
+    ASSERT_TRUE(listener_.await(
+        [&] {
+          while (summaries.take(summary)) heard.push_back(summary);
+          return heard.size() > static_cast<std::size_t>(flight);
+        },
+        seconds(150)))
+        << monitor->log() << simulator->log();
+    ASSERT_GT(listener_.health.size(), 1000u);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 10; ++i) sum += 1e4 * std::pow(listener_.health[66].sigma_total()[i], 2);
+    claimed.push_back(sum);
+    monitor->signal(SIGTERM);
+    EXPECT_EQ(monitor->wait(seconds(20)), 0) << monitor->log();
+  }
+  const FlightSummary& first = heard[0];
+  EXPECT_EQ(first.flight(), 1u);
+  EXPECT_EQ(heard[1].flight(), 2u);
+  EXPECT_EQ(heard[1].flights_learned(), 2u);
+  EXPECT_EQ(first.margins_known(), 1u);
+  EXPECT_GT(first.egt_margin_k(), 20.0);
+  EXPECT_LT(first.egt_margin_k(), 150.0);
+  EXPECT_LT(heard[1].egt_margin_sigma_k(), first.egt_margin_sigma_k());
+  EXPECT_NEAR(heard[1].egt_margin_k(), first.egt_margin_k(), 4.0 * first.egt_margin_sigma_k());
+  double flown_s = 0.0;
+  for (std::size_t phase = 2; phase < 8; ++phase) flown_s += first.phase_s()[phase];
+  EXPECT_NEAR(flown_s, 0.015 * static_cast<double>(first.samples_accepted()), 1.0);
+  EXPECT_NEAR(flown_s, 0.1 * (6918.0 - 415.0), 3.0);  // engine_sim/scenario/mission.cpp
+  EXPECT_GE(first.samples_estimated(), first.samples_accepted() * 99 / 100);
+  std::printf(
+      "claimed a second after the start: %.1f percent^2, in the second flight %.1f; EGT margin %.1f +- %.1f K\n",
+      claimed[0], claimed[1], first.egt_margin_k(), first.egt_margin_sigma_k());
+  EXPECT_LT(claimed[1], 0.5 * claimed[0]);
+  // The truth tells how the engine differs from its file.
+  ASSERT_FALSE(listener_.truth.empty());
+  EXPECT_EQ(listener_.truth.begin()->second.mismatch_count(), 15u);
+  EXPECT_NE(listener_.truth.begin()->second.mismatch()[0], 0.0);
+
+  Process question({monitor_program(), "history", "1", "--directory", history});
+  EXPECT_EQ(question.wait(seconds(20)), 0) << question.log();
 }
 
 TEST_F(WholeFlightTest, ADesignWithoutAnEngineIsRefusedWithWhatToDo) {

@@ -90,13 +90,12 @@ std::vector<Judged> live(const MarginStudyOptions& options, const std::shared_pt
   std::vector<Judged> life;
   for (int cycles = 0; cycles <= life_cycles; cycles += cycles_between) {
     sim::Simulation simulation(engine.flight_at(cycles));
-    estimator.begin_with(known);
+    estimator.begin_with(known, cycles == 0 ? 0.0 : expected_wear_percent);
     estimate_flight(simulation, shortened * sim::mission_seconds, step_s, estimator, all, [](const auto&, double) {});
-    const onboard::Learned learned = estimator.learned();
-    const onboard::TakeOffMargin told = onboard::take_off_margin(*model, learned);
+    known = estimator.learned();
+    const onboard::TakeOffMargin told = onboard::take_off_margin(*model, known);
     const double truth_k = onboard::egt_margin_k(truth, engine.health_at(cycles), thrust_n);
     life.push_back({truth_k, told.margin_k - truth_k, told.sigma_k});
-    known = onboard::after_wear(learned, *model, expected_wear_percent);
   }
   return life;
 }

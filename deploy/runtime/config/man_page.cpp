@@ -11,11 +11,13 @@ namespace ehm::config {
 
 namespace {
 
-/// Text as roff: a backslash is none of its commands, a minus stays one, and a line that starts like a request is text.
+/// Text as roff: a backslash is none of its commands, a minus stays one, and a line that starts like a request is text. A
+/// list without blanks, as that of an option's values, may break behind each comma.
 std::string roff(const std::string& text) {
   std::string out;
   bool line_start = true;
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     if (line_start && (c == '.' || c == '\'')) out += "\\&";
     line_start = c == '\n';
     if (c == '\\')
@@ -24,6 +26,7 @@ std::string roff(const std::string& text) {
       out += "\\-";
     else
       out += c;
+    if (c == ',' && i + 1 < text.size() && text[i + 1] != ' ' && text[i + 1] != '\n') out += "\\:";
   }
   return out;
 }

@@ -109,6 +109,25 @@ TEST_F(SensorCheckTest, RejectsNamesThatTheModelDoesNotHave) {
   }
 }
 
+// An estimator that holds from taxi to taxi: the range is as much wider on either side as readings go beyond the trim.
+TEST(SensorCheck, ReachesOverWhatThePublishedEstimatorHoldsFor) {
+  const linear_model::LinearModel model = one_sensor(1000.0);
+  const estimation::SensorSpan span{estimation::SensorVector::Constant(1, 400.0),
+                                    estimation::SensorVector::Constant(1, 1700.0)};
+  SensorCheck check{CheckOptions{}, {}, model, span};
+  const auto reasons_of = [&](double value) {
+    check.reset();
+    Sample s;
+    s.sensor_valid = 1u;
+    s.sensor[0] = value;
+    return check.reasons(s, 0, 1);
+  };
+  EXPECT_EQ(reasons_of(2299.0), 0u);
+  EXPECT_EQ(reasons_of(2301.0), idl::reject_reason::range);
+  EXPECT_EQ(reasons_of(-199.0), 0u);
+  EXPECT_EQ(reasons_of(-201.0), idl::reject_reason::range);
+}
+
 TEST(SensorCheck, TheOperatorsLimitReplacesTheRule) {
   Sample s;
   s.sensor_valid = 1;
