@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # One command from a bare Debian 12 to live estimates: installs, builds, designs, flies.
-# Usage: deploy/demo.sh [--seconds N] [--estimator NAME] [--json]
+# Usage: deploy/demo.sh [--mission | --seconds N] [--estimator NAME] [--json]
+#   --mission     a whole flight from taxi to taxi in 72 s, by estimator onboard, and its summary at landing
 #   --seconds N   length of the flight, 12 to 86400 (default 30); at 10 s HPC efficiency falls by 2 %
 #   --estimator NAME   whose estimates are published: tuner (default), gauss_markov, time_varying
 #   --json        print the summary as one JSON object and nothing else on standard output
@@ -14,7 +15,8 @@ cd "$(dirname "$0")/.."
 seconds=30
 estimator=tuner
 json=()
-usage() { sed -n '2,9s/^# //p' deploy/demo.sh; }
+mission=false
+usage() { sed -n '2,10s/^# //p' deploy/demo.sh; }
 while [ $# -gt 0 ]; do
   case "$1" in
     --seconds)
@@ -31,11 +33,24 @@ while [ $# -gt 0 ]; do
         exit 2
       fi
       shift 2 ;;
+    --mission) mission=true; shift ;;
     --json) json=(--json); shift ;;
     -h | --help) usage; exit 0 ;;
     *) echo "demo: unknown option '$1'" >&2; usage >&2; exit 2 ;;
   esac
 done
+
+flight=(--config deploy/demo/engine_sim.toml --run-duration-s "$seconds")
+more=()
+if "$mission"; then
+  if [ "$seconds" != 30 ] || [ "$estimator" != tuner ]; then
+    echo "demo: --mission has a length and an estimator of its own: leave out --seconds and --estimator" >&2
+    exit 2
+  fi
+  seconds=1800
+  estimator=onboard
+  flight=(--config deploy/demo/mission.toml --run-rate 25)
+fi
 
 build=${EHM_BUILD_DIR:-build}
 domain=${EHM_DDS_DOMAIN:-42}
@@ -65,10 +80,15 @@ start() {
   setpriv --pdeathsig TERM -- "$@" 2>"$work/$name.log" &
   children+=($!)
 }
-start monitor "$build/monitor/monitor" --config deploy/demo/monitor.toml --monitor-design "$work/design.json" \
+if "$mission"; then
+  mkdir "$work/history"
+  more=(--history-directory "$work/history" --monitor-clock source)  # its time runs 25 times as fast as ours
+else
+  more=(--config deploy/demo/monitor.toml)
+fi
+start monitor "$build/monitor/monitor" "${more[@]}" --monitor-design "$work/design.json" \
   --estimator-published "$estimator" --dds-domain "$domain"
-start engine_sim "$build/engine_sim/engine_sim" --config deploy/demo/engine_sim.toml --dds-domain "$domain" \
-  --run-wait-for-monitors 1 --run-duration-s "$seconds"
+start engine_sim "$build/engine_sim/engine_sim" "${flight[@]}" --dds-domain "$domain" --run-wait-for-monitors 1
 
 verdict=0
 setpriv --pdeathsig TERM -- "$build/deploy/ehm_watch" --domain "$domain" --seconds "$seconds" "${json[@]}" \
@@ -77,5 +97,9 @@ children+=($!)
 wait "${children[2]}" || verdict=$?
 if [ "$verdict" -ne 0 ]; then
   for log in "$work"/*.log; do echo "--- $(basename "$log")"; tail -n 20 "$log"; done >&2
+fi
+if "$mission" && [ ${#json[@]} -eq 0 ]; then
+  echo
+  "$build/monitor/monitor" history 1 --directory "$work/history" --flight 1 || verdict=1
 fi
 exit "$verdict"

@@ -96,6 +96,7 @@ class CompanionEstimators {
   bool begin_with(std::size_t i, const estimation::Learned& known, double wear_percent) noexcept {
     return all_[i].estimator->begin_with(known, wear_percent);
   }
+  void next_flight(std::size_t i, double wear_percent) noexcept { all_[i].estimator->next_flight(wear_percent); }
   void widen(double excess) noexcept {
     for (const Flying& one : all_) one.estimator->widen(excess);
   }

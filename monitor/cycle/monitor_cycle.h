@@ -74,13 +74,17 @@ class MonitorCycle {
   /// process. Refused, nothing is changed. Real-time safe: yes.
   Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
 
-  /// The published estimator's, see estimator.h: what this flight has taught, and from what the next one begins. Nothing
+  /// The published estimator's, see estimator.h: what this flight has taught, what it begins with, and that it is over. Nothing
   /// where that is the watch filter. Real-time safe: yes.
   estimation::Learned learned() const noexcept {
     return published_ == watch_filter ? estimation::Learned{} : companions_.learned(as_size(published_));
   }
   bool begin_with(const estimation::Learned& known, double wear_percent) noexcept {
     return published_ != watch_filter && companions_.begin_with(as_size(published_), known, wear_percent);
+  }
+
+  void next_flight(double wear_percent) noexcept {
+    if (published_ != watch_filter) companions_.next_flight(as_size(published_), wear_percent);
   }
 
   /// Of the latest sample that was in order.

@@ -75,6 +75,9 @@ class Estimator {
     static_cast<void>(wear_percent);
     return false;
   }
+  /// A flight is over: it goes on, and what may be otherwise in the next one becomes less certain, health by wear of that
+  /// standard deviation. A cold start from now on begins with what the flight has taught.
+  virtual void next_flight(double wear_percent) noexcept { static_cast<void>(wear_percent); }
 
   /// What healthy sensors read where it holds.
   [[nodiscard]] virtual SensorSpan span() const noexcept { return {}; }

@@ -121,11 +121,12 @@ bool FlightKeeper::begin(EngineSlot& slot) noexcept {
   return !known->learned.empty() && slot.cycle.begin_with(known->learned, options_.wear_percent);
 }
 
-bool FlightKeeper::follow(EngineSlot& slot) noexcept {
-  if (!slot.follow_flight(options_.wear_percent)) return false;
+void FlightKeeper::follow(EngineSlot& slot) noexcept {
+  if (!slot.flights.follow(slot.cycle, slot.fan)) return;
   remember(slot);
+  slot.cycle.next_flight(options_.wear_percent);
+  slot.landing_due = true;
   hand_over(slot);
-  return true;
 }
 
 void FlightKeeper::remember(const EngineSlot& slot) noexcept {
@@ -133,7 +134,7 @@ void FlightKeeper::remember(const EngineSlot& slot) noexcept {
   if (!known && known_.size() < known_.capacity()) known = &known_.emplace_back(Known{slot.engine_id, 0, {}});
   if (!known) return;
   known->flights = slot.flights.flight();
-  known->learned = slot.landed_with;
+  known->learned = slot.cycle.learned();
 }
 
 void FlightKeeper::hand_over(EngineSlot& slot) noexcept {
@@ -143,7 +144,8 @@ void FlightKeeper::hand_over(EngineSlot& slot) noexcept {
   landing_.design_hash.fill(' ');
   std::copy_n(hash.begin(), std::min(hash.size(), landing_.design_hash.size()), landing_.design_hash.begin());
   landing_.totals = slot.flights.finished();
-  landing_.learned = slot.landed_with;
+  const Known* known = find(slot.engine_id);
+  landing_.learned = known ? known->learned : estimation::Learned{};
   queue_->push(landing_);
   slot.landing_due = false;
 }

@@ -51,9 +51,9 @@ class FlightKeeper {
 
   /// Before an engine's first sample. Whether it starts from a baseline. Real-time safe: yes.
   bool begin(EngineSlot& slot) noexcept;
-  /// After each sample in order: at a landing the engine's next flight begins, and this one is handed over.
-  /// Whether the filter has started anew. Real-time safe: yes.
-  bool follow(EngineSlot& slot) noexcept;
+  /// After each sample in order, before its events are cleared: at a landing the engine's next flight begins, and this one is handed over. Real-time
+  /// safe: yes.
+  void follow(EngineSlot& slot) noexcept;
   /// Hands over what found no room before. Real-time safe: yes.
   void hand_over(EngineSlot& slot) noexcept;
   /// Before a table flies: makes its designs known. From any thread but the cycle's.

@@ -32,8 +32,14 @@ double estimated_percent(const Flight& f) {
   return f.samples == 0 ? 0.0 : 100.0 * static_cast<double>(f.estimated) / static_cast<double>(f.samples);
 }
 
+/// While its build is being learned there is nothing that wear could be counted from.
+bool wear_known(const Flight& f) {
+  return f.flights_learned > 0 && f.number > f.flights_learned;
+}
+
 /// The parameter that has worn most; null where nothing is known.
 const Flight::Health* most_worn(const Flight& f) {
+  if (!wear_known(f)) return nullptr;
   const auto it =
       std::min_element(f.health.begin(), f.health.end(), [](const auto& a, const auto& b) { return a.wear < b.wear; });
   return it == f.health.end() ? nullptr : &*it;
@@ -121,11 +127,11 @@ std::string flight_text(const Flight& f) {
   std::string text = flight_line(f) + "\n\nphases:";
   for (std::size_t i = 1; i < idl::flight_phase_names.size(); ++i)
     if (f.phase_s[i] > 0.0) text += fmt::format("  {} {:.0f} s", idl::flight_phase_names[i], f.phase_s[i]);
-  text += fmt::format("\n\n{:<20} {:>10} {:>10} {:>10}   since flights 1 to {}\n", "health, percent", "estimate",
-                      "sigma", "wear", f.flights_learned);
+  text += fmt::format("\n\n{:<20} {:>10} {:>10}{}\n", "health, percent", "estimate", "sigma",
+                      wear_known(f) ? fmt::format(" {:>10}   since flights 1 to {}", "wear", f.flights_learned) : "");
   for (const auto& h : f.health)
-    text +=
-        fmt::format("{:<20} {:>10.2f} {:>10.2f} {:>10.2f}\n", h.name, 100.0 * h.value, 100.0 * h.sigma, 100.0 * h.wear);
+    text += fmt::format("{:<20} {:>10.2f} {:>10.2f}{}\n", h.name, 100.0 * h.value, 100.0 * h.sigma,
+                        wear_known(f) ? fmt::format(" {:>10.2f}", 100.0 * h.wear) : "");
   text += fmt::format("\n{:<20} {:>10} {:>10}\n", "in the air", "least", "greatest");
   for (const auto& e : f.auxiliary)
     text += fmt::format("{:<20} {:>10.1f} {:>10.1f} {}\n", e.name, e.least, e.greatest, e.unit);

@@ -97,6 +97,16 @@ bool OnBoardEstimator::begin_with(const Learned& known, double wear_percent) noe
   return true;
 }
 
+/// What is misread stays what it was and becomes as uncertain as if it were drawn anew around that: nothing jumps.
+void OnBoardEstimator::next_flight(double wear_percent) noexcept {
+  prior_ = after_wear(learned(), *model_, wear_percent);
+  UnknownVector opened = UnknownVector::Zero(prior_.value.size());
+  opened.head(layout_.health_count).setConstant(square(wear_percent));
+  for (std::size_t i = 0; i < model_->causes().size(); ++i)
+    if (model_->causes()[i].kind == CauseKind::input) opened(layout_.health_count + as_index(i)) = 1.0;
+  covariance_.open(UnknownLayout::first_health(), opened);
+}
+
 bool OnBoardEstimator::use(SensorMask available) noexcept {
   SensorMask all;
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) all.set(as_size(i));

@@ -46,6 +46,7 @@ class OnBoardEstimator final : public estimation::Estimator {
   [[nodiscard]] const estimation::Estimate& estimate() const noexcept override { return estimate_; }
   [[nodiscard]] Learned learned() const noexcept override;
   bool begin_with(const Learned& known, double wear_percent) noexcept override;
+  void next_flight(double wear_percent) noexcept override;
   /// How often it has found that something stepped, since it was made.
   std::int64_t steps_found() const noexcept { return steps_found_; }
 

@@ -17,6 +17,8 @@
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/source_fit.h"
 #include "monitor/design/make_estimator.h"
+#include "monitor/history/flight_keeper.h"
+#include "monitor/history/history_text.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/record/record_row.h"
 #include "monitor/service/event_text.h"
@@ -50,6 +52,7 @@ class OfflineRun {
   OfflineRun(const MonitorConfig& config, EngineTable& engines)
       : config_(config),
         engines_(engines),
+        flights_(std::make_unique<FlightKeeper>(config, engines, notices_, summed_)),
         rows_(recording::open_rows(config.offline.file, config.offline.column_map)) {
     for (const design::Design* design : engines.designs()) {
       require_sample_time(*design);
@@ -75,6 +78,8 @@ class OfflineRun {
     Row row;
     while (!stop.requested() && rows_->next(row)) take(row);
     writer_->commit(true);
+    flights_.reset();  // once it has summed up what has landed
+    say_flights();
     summarise();
   }
 
@@ -148,7 +153,11 @@ class OfflineRun {
     if (row.kind() == RowKind::sample) {
       sample_of(row, slot.sample);
       fit_.apply(slot.sample);
-      fill_row(slot, slot.cycle.process(slot.sample), result);
+      if (slot.cycle.counters().received == 0) flights_->begin(slot);
+      const bool accepted = slot.cycle.process(slot.sample);
+      fill_row(slot, accepted, result);
+      if (accepted) flights_->follow(slot);
+      flights_->hand_over(slot);
       ++samples_;
       estimates_ += result.a.estimates != 0 && result.a.accepted != 0 ? 1 : 0;
       compare(row, result);
@@ -212,6 +221,12 @@ class OfflineRun {
     slot.cycle.clear_events();
   }
 
+  void say_flights() {
+    for (const Notice& notice : notices_.take()) spdlog::warn("engine {}: {}", notice.engine_id, notice.text);
+    for (const SummedFlight& summed : summed_.take())
+      std::cout << fmt::format("engine {}: {}\n", summed.engine_id, flight_line(summed.flight));
+  }
+
   void summarise() const {
     std::cout << fmt::format("{} samples, {} with estimates, in {}\n", samples_, estimates_, config_.offline.out);
     if (comparison_.identical + comparison_.different > 0)
@@ -224,6 +239,9 @@ class OfflineRun {
   static constexpr std::size_t commit_rows = 16 * recording::Writer::chunk_rows;
   const MonitorConfig& config_;
   EngineTable& engines_;
+  NoticeBoard notices_;
+  FlightBoard summed_;
+  std::unique_ptr<FlightKeeper> flights_;
   std::unique_ptr<recording::RowSource> rows_;
   std::optional<recording::Writer> writer_;
   SourceFit fit_;  ///< of the file's channels, to the designs'

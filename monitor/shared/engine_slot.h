@@ -32,23 +32,12 @@ struct EngineTally {
   CycleCounters status_counters;  ///< at that status, to tell what is new
   ResetThrottle resets;
   FlightLog flights;
-  estimation::Learned landed_with;  ///< what the latest flight has taught, at its landing
-  bool landing_due = false;         ///< that flight has not been handed over yet
+  bool landing_due = false;         ///< the latest flight has not been handed over yet
 };
 
 struct EngineSlot : EngineTally {
   EngineSlot(const PreparedDesign& design, const CycleOptions& options)
       : cycle(design, options), fan(fan_speed_of(cycle.design().model)) {}
-
-  /// After a sample in order, before its events are cleared. True at a landing: the filter has started the next flight,
-  /// for which the engine may have worn by that standard deviation. Real-time safe: yes.
-  bool follow_flight(double wear_percent) noexcept {
-    if (!flights.follow(cycle, fan)) return false;
-    landed_with = cycle.learned();
-    landing_due = true;
-    cycle.begin_with(landed_with, wear_percent);
-    return true;
-  }
 
   /// Everything but the cycle: another design goes on for the same engine. Real-time safe: yes.
   void inherit(const EngineSlot& before) noexcept {

@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 seconds=600 jobs=1 merge=no
-all=(monitor_config scenario engine design model import_mat import_csv checkpoint samples wire_sample)
+all=(monitor_config scenario engine design model import_mat import_csv checkpoint history samples wire_sample)
 targets=()
 while [ $# -gt 0 ]; do
   case "$1" in

@@ -35,7 +35,8 @@ void expect_good_names(const Exposition& metrics) {
     EXPECT_TRUE(family.help.ends_with('.')) << name;
     static const std::regex scaled_unit("_(us|ms|ns|percent|kilobytes|minutes|hours|milliseconds|microseconds)(_|$)");
     EXPECT_FALSE(std::regex_search(name, scaled_unit)) << name;
-    for (const auto& [labels, value] : family.series) EXPECT_TRUE(value >= 0 || name == "ehm_estimate") << name;
+    const bool may_be_negative = name == "ehm_estimate" || name == "ehm_eta";
+    for (const auto& [labels, value] : family.series) EXPECT_TRUE(value >= 0 || may_be_negative) << name;
   }
 }
 
@@ -58,6 +59,10 @@ void expect_equal(const Exposition& metrics, const MonitorStatus& s) {
                                               {"ehm_deadline_misses_total", s.deadline_misses()},
                                               {"ehm_writes_refused_total", s.writes_refused()},
                                               {"ehm_input_rate_hertz", s.rate_hz()},
+                                              {"ehm_flight_phase", s.flight_phase()},
+                                              {"ehm_flight_number", s.flight()},
+                                              {"ehm_n1_corrected_rpm", s.n1_corrected_rpm()},
+                                              {"ehm_validity_distance", s.validity_distance()},
                                               {"ehm_latency_max_seconds", 1e-6 * s.latency_max_us()}};
   for (const auto& [name, value] : counted) EXPECT_DOUBLE_EQ(metrics.value(name, engine_1), value) << name;
   Labels p99 = engine_1;
@@ -157,7 +162,8 @@ TEST_F(MetricsTest, AreWhatDashboardAlertsAndDocumentationName) {
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 10 && !listener_.status.empty(); }));
   Exposition metrics = scrape();
   // Conditions have a series once one was raised, a certificate under DDS Security.
-  const std::set<std::string> not_here{"ehm_condition_active", "ehm_certificate_expiry_seconds"};
+  const std::set<std::string> not_here{"ehm_condition_active", "ehm_certificate_expiry_seconds",
+                                       "ehm_egt_margin_kelvin", "ehm_egt_margin_sigma_kelvin"};
   const std::regex name("\\b(ehm|process)_[a-z_]*[a-z]\\b(?!\\.)");
   const std::string page = text_of(EHM_SOURCE_DIR "/deploy/docs/observability.md");
   for (const char* file : {"/deploy/dashboards/grafana_ehm.json", "/deploy/dashboards/alert_rules.yml"}) {

@@ -55,6 +55,25 @@ TEST(Allocation, NoneOnTheCyclePath) {
   EXPECT_GT(cycle.events().raised_total(), 4u);
 }
 
+TEST(Allocation, NoneAtALanding) {
+  const auto design = test::made_up_design();
+  test::Flight flight(design->model, Eigen::VectorXd::Zero(10), 2);
+  monitor::EngineSlot slot(monitor::PreparedDesign(design), monitor::CycleOptions{});
+  std::vector<monitor::Sample> samples;
+  for (int k = 0; k < 1000; ++k) {
+    samples.push_back(flight.next());
+    samples.back().flight = {9000.0, k < 500 ? 0.8 : 0.0, 0.0};
+  }
+  int landed = 0;
+  const long before = test::allocation_count();
+  for (const monitor::Sample& sample : samples) {
+    if (slot.cycle.process(sample) && slot.flights.follow(slot.cycle, slot.fan)) ++landed;
+    slot.cycle.clear_events();
+  }
+  EXPECT_EQ(test::allocation_count(), before);
+  EXPECT_EQ(landed, 1);
+}
+
 // An engine that leaves gives its filter back on the cycle's thread (EngineSlot::vacate).
 TEST(Allocation, NoneWhenACycleBecomesAsItWas) {
   monitor::CycleOptions options;

@@ -102,6 +102,10 @@ TEST_F(HistoryFolderTest, IsShownWithWhatIsKnown) {
   EXPECT_THAT(text, HasSubstr("EGT margin 41.5 +- 1.8 K, thrust margin 3.2 +- 0.1 %"));
   EXPECT_THAT(text, HasSubstr("hpc_efficiency"));
   EXPECT_THAT(text, HasSubstr("-2.10"));
+  EXPECT_THAT(text, Not(HasSubstr("since flights"))) << "nothing is known that wear could be counted from";
+  Flight later = some_flight(9);
+  later.flights_learned = 3;
+  EXPECT_THAT(flight_text(later), testing::AllOf(HasSubstr("since flights 1 to 3"), HasSubstr("-0.20")));
   EXPECT_THAT(text, HasSubstr("climb 1100 s"));
   EXPECT_THAT(text, Not(HasSubstr("P24")));
   EXPECT_THAT(history_text(7, {}, 0.0), HasSubstr("engine 7: no flight has been noted"));

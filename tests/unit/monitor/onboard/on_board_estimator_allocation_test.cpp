@@ -28,6 +28,9 @@ TEST(AllocationOfTheOnBoardEstimator, NoneWithAnAnswerOrWithout) {
     estimator.update(flight.fused, 1);
     estimator.widen(1.0 + 0.001 * static_cast<double>(k));
   }
+  const estimation::Learned learned = estimator.learned();
+  estimator.next_flight(0.05);
+  EXPECT_TRUE(estimator.begin_with(learned, 0.05));
   EXPECT_EQ(ehm::test::allocation_count(), before);
   EXPECT_GT(samples.size(), 400u);
 }

@@ -162,6 +162,24 @@ TEST(OnBoardEstimator, BeginsWithWhatAnEarlierFlightHasTaught) {
   EXPECT_FALSE(second.estimator.begin_with(other, 0.0));
 }
 
+// Whoever lands goes on with what is there: nothing jumps, and the next flight's inputs are as uncertain as any.
+TEST(OnBoardEstimator, GoesOnFromOneFlightToTheNext) {
+  OnBoardFlight flight({.seed = 18});
+  while (flight.time_s() < 1500.0) flight.next();
+  const Learned before = flight.estimator.learned();
+  flight.estimator.next_flight(0.5);
+  const Learned after = flight.estimator.learned();
+  EXPECT_EQ(after.value, before.value);
+  for (Eigen::Index i = 0; i < 10; ++i) EXPECT_NEAR(after.covariance(i, i), before.covariance(i, i) + 0.25, 1e-9) << i;
+  EXPECT_NEAR(after.covariance(12, 12), before.covariance(12, 12), 1e-9) << "the build stays as it is known";
+  const Eigen::Index inputs = after.value.size() - 1;
+  EXPECT_NEAR(after.covariance(inputs, inputs), before.covariance(inputs, inputs) + 1.0, 1e-9);
+  flight.next();
+  EXPECT_LT(errors_of(flight).health, 5.0);
+  flight.estimator.reset();
+  EXPECT_EQ(kept_of(flight.estimator.learned()), kept_of(before));
+}
+
 TEST(OnBoardEstimator, GapsAreBridgedAndTheSpeedsFoundAgain) {
   OnBoardFlight flight({.seed = 15});
   while (flight.time_s() < 1700.0) flight.next();
