@@ -18,6 +18,7 @@
 #include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "monitor/design/certificate.h"
+#include "monitor/schedule/schedule.h"
 
 namespace ehm::design {
 
@@ -87,6 +88,7 @@ struct Design {
   ErrorByChannel bayes_limit;                        ///< no estimator on steady data at this point can do better
   ErrorByChannel full_map, reduced_map;              ///< MAP on one noisy snapshot, on h and on the tuners
   Certificate certificate;                           ///< of the tuners of `full`
+  std::optional<schedule::Schedule> schedule;        ///< of the estimator `scheduled`; most designs have none
   std::string hash;                                  ///< SHA-256 of the content; set by write_design and read_design
 };
 

@@ -10,6 +10,7 @@
 #include "engine_sim/linear_model/model_json.h"
 #include "monitor/design/certificate_json.h"
 #include "monitor/design/options_json.h"
+#include "monitor/design/schedule_json.h"
 #include "monitor/design/subset_json.h"
 
 namespace ehm::design {
@@ -62,18 +63,21 @@ files::Json content_of(const Design& design, const std::string& file) {
     const std::string path = "designs.missing[" + std::to_string(i) + "]";
     missing.push_back(design.missing[i] ? subset_to_json(*design.missing[i], file, path) : files::Json(nullptr));
   }
-  return {{"schema", design_schema},
-          {"model", linear_model::model_to_json(design.model, file)},
-          {"scaling", scaling_to_json(design.scaling, file)},
-          {"made_by", options_to_json(design.options)},
-          {"certificate", certificate_to_json(design.certificate, file)},
-          {"designs", {{"full", subset_to_json(design.full, file, "designs.full")}, {"missing", std::move(missing)}}},
-          {"errors",
-           {{"ssee", errors_to_json(design.ssee, file, "errors.ssee")},
-            {"linearisation", errors_to_json(design.linearisation, file, "errors.linearisation")},
-            {"bayes_limit", errors_to_json(design.bayes_limit, file, "errors.bayes_limit")},
-            {"full_map", errors_to_json(design.full_map, file, "errors.full_map")},
-            {"reduced_map", errors_to_json(design.reduced_map, file, "errors.reduced_map")}}}};
+  files::Json json = {
+      {"schema", design_schema},
+      {"model", linear_model::model_to_json(design.model, file)},
+      {"scaling", scaling_to_json(design.scaling, file)},
+      {"made_by", options_to_json(design.options)},
+      {"certificate", certificate_to_json(design.certificate, file)},
+      {"designs", {{"full", subset_to_json(design.full, file, "designs.full")}, {"missing", std::move(missing)}}},
+      {"errors",
+       {{"ssee", errors_to_json(design.ssee, file, "errors.ssee")},
+        {"linearisation", errors_to_json(design.linearisation, file, "errors.linearisation")},
+        {"bayes_limit", errors_to_json(design.bayes_limit, file, "errors.bayes_limit")},
+        {"full_map", errors_to_json(design.full_map, file, "errors.full_map")},
+        {"reduced_map", errors_to_json(design.reduced_map, file, "errors.reduced_map")}}}};
+  if (design.schedule) json["schedule"] = schedule_to_json(*design.schedule, file);
+  return json;
 }
 
 /// Removes the hash from `root` and compares it with the hash of the rest.
@@ -137,6 +141,8 @@ Design read_design(const std::string& path) {
   design.full_map = errors_from_json(errors, "full_map", design.model);
   design.reduced_map = errors_from_json(errors, "reduced_map", design.model);
   errors.refuse_unknown();
+  if (const files::Json* schedule = root.find("schedule"))
+    design.schedule = schedule_from_json(*schedule, design.model, path);
   root.refuse_unknown();
   return design;
 }

@@ -9,6 +9,7 @@
 #include "monitor/design/make_filter.h"
 #include "monitor/design/make_full_order.h"
 #include "monitor/design/make_on_board.h"
+#include "monitor/design/make_scheduled.h"
 
 namespace ehm::design {
 namespace {
@@ -39,6 +40,10 @@ constexpr std::array kinds{
                   "the nonlinear engine itself as model, from taxi to taxi, with what its build may differ by",
                   [](const Design& design, const EstimatorOptions& options, const estimation::PointDistance&) {
                     return make_on_board_estimator(design, options);
+                  }},
+    EstimatorKind{scheduled_name, "point models over the envelope, from a design with a schedule",
+                  [](const Design& design, const EstimatorOptions& options, const estimation::PointDistance&) {
+                    return make_scheduled_estimator(design, options);
                   }}};
 
 const EstimatorKind* kind_of(std::string_view name) noexcept {

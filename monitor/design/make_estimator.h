@@ -19,6 +19,7 @@ namespace ehm::design {
 
 inline constexpr const char* tuner_name = "tuner";
 inline constexpr const char* on_board_name = "onboard";
+inline constexpr const char* scheduled_name = "scheduled";
 
 struct EstimatorKind {
   const char* name;         ///< in configuration, on the wire, in recordings

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine_sim/model/thermo/atmosphere.h"
-#include "engine_sim/model/units.h"
+#include "engine_sim/model/thermo/ram.h"
 
 namespace ehm::monitor {
 namespace {
@@ -20,10 +19,7 @@ constexpr double metal_lag_s = 25.0;
 
 /// sqrt(T2/288.15 K); not a number where the standard atmosphere ends.
 double root_theta(const linear_model::OperatingPoint& flight) {
-  if (!engine_sim::covers_altitude(flight.altitude_m) || !engine_sim::covers_offset(flight.delta_isa_k))
-    return std::numeric_limits<double>::quiet_NaN();
-  const double t0_k = engine_sim::atmosphere(flight.altitude_m, flight.delta_isa_k).t_k;
-  return std::sqrt(t0_k * (1.0 + 0.2 * flight.mach * flight.mach) / engine_sim::reference_temperature_k);
+  return std::sqrt(engine_sim::ram_ratios(flight.altitude_m, flight.mach, flight.delta_isa_k).theta);
 }
 
 /// Share of the way that a first-order lag goes in a step.

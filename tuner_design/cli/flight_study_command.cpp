@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/flight_study_command.h"
 
+#include <cmath>
+
+#include "deploy/runtime/files/file_error.h"
+#include "monitor/design/design_file.h"
+#include "monitor/design/make_scheduled.h"
 #include "tuner_design/print/flight_study_text.h"
 #include "tuner_design/print/margin_study_text.h"
 #include "tuner_design/print/start_study_text.h"
@@ -25,6 +30,19 @@ Options given_to(Options options, const StudyGiven& given) {
   return options;
 }
 
+/// For samples of this length, whose noise is as much less as a second brings equal information.
+std::shared_ptr<const estimation::Estimator> scheduled_of(const std::string& file, double step_s) {
+  if (file.empty()) return nullptr;
+  design::Design design = design::read_design(file);
+  design.model.sensor_noise_sigma *= std::sqrt(design.model.sample_time_s / step_s);
+  design.model.sample_time_s = step_s;
+  try {
+    return design::make_scheduled_estimator(design, {});
+  } catch (const std::invalid_argument& error) {
+    throw files::FileError(file + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 bool is_flight_study(const std::string& study) {
@@ -43,6 +61,11 @@ void add_flight_study_options(CLI::App& command, FlightStudyArguments& arguments
                   "information")
       ->check(CLI::Range(0.015, 0.1))
       ->capture_default_str();
+  command
+      .add_option("--schedule", arguments.schedule,
+                  "flight: a design of tuner_design envelope, whose estimator flies too")
+      ->check(CLI::ExistingFile)
+      ->type_name("D.json");
   command.add_option("--starts", arguments.starts.starts, "starts: missions that are started")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
       ->capture_default_str();
@@ -68,9 +91,10 @@ void flight_study(const std::string& study, const FlightStudyArguments& argument
   FlightStudyOptions options = given_to(arguments.flight, given);
   options.draw.seed = given.seed;
   options.engines = arguments.fleet.value_or(options.engines);
+  const auto scheduled = scheduled_of(arguments.schedule, options.step_s);
   show(
-      output, console, [&](const auto& progress) { return run_flight_study(options, progress); }, print_flight_study,
-      flight_study_as_json);
+      output, console, [&](const auto& progress) { return run_flight_study(options, scheduled, progress); },
+      print_flight_study, flight_study_as_json);
 }
 
 }  // namespace ehm::tuner_design

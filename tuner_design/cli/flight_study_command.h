@@ -18,6 +18,7 @@ namespace ehm::tuner_design {
 struct FlightStudyArguments {
   std::optional<std::size_t> fleet;
   FlightStudyOptions flight;
+  std::string schedule;  ///< design file of estimator scheduled; empty: it is not flown
   StartStudyOptions starts;
   MarginStudyOptions margin;
 };

@@ -5,13 +5,13 @@
 
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/simulation.h"
-#include "monitor/onboard/on_board_estimator.h"
+#include "monitor/estimation/estimator.h"
 
 namespace ehm::tuner_design {
 
 template <class Told>
 void estimate_flight(engine_sim::Simulation& simulation, double seconds, double step_s,
-                     onboard::OnBoardEstimator& estimator, estimation::SensorMask fused, const Told& told) {
+                     estimation::Estimator& estimator, estimation::SensorMask fused, const Told& told) {
   estimator.use(fused);
   estimation::Conditions before;
   const auto samples = static_cast<std::int64_t>(seconds / step_s);

@@ -7,6 +7,7 @@
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/sensor_lags.h"
 #include "engine_sim/scenario/mission.h"
+#include "monitor/onboard/on_board_estimator.h"
 #include "tuner_design/flight/estimated_flight.h"
 
 namespace ehm::tuner_design {
@@ -49,7 +50,9 @@ class Flight {
       : options_(options),
         simulation_(
             mission_scenario(flown_engine(*options.engine, options.step_s), options.step_s, options.draw, index)),
-        estimator_(std::move(model)),
+        estimator_(options.estimator ? options.estimator->clone()
+                                     : std::make_unique<onboard::OnBoardEstimator>(std::move(model))),
+        onboard_(options.estimator ? nullptr : static_cast<const onboard::OnBoardEstimator*>(estimator_.get())),
         stepped_(static_cast<int>(stepped_channel(*options.engine, index))) {
     const auto& channels = options.engine->channels;
     out_.health.resize(channels.health.size());
@@ -60,7 +63,7 @@ class Flight {
   }
 
   FlightOutcome run() {
-    estimate_flight(simulation_, sim::mission_seconds, options_.step_s, estimator_, fused_,
+    estimate_flight(simulation_, sim::mission_seconds, options_.step_s, *estimator_, fused_,
                     [&](const sim::EngineSample& sample, double t) { take(sample, t); });
     return out_;
   }
@@ -69,25 +72,25 @@ class Flight {
   void take(const sim::EngineSample& sample, double t) {
     ++out_.samples;
     note_step(t);
-    if (!estimator_.estimate().holds) return;
+    if (!estimator_->estimate().holds) return;
     ++out_.estimated;
     score(sample, t);
   }
 
   void note_step(double t) {
-    if (estimator_.steps_found() == found_) return;
-    found_ = estimator_.steps_found();
+    if (onboard_ == nullptr || onboard_->steps_found() == found_) return;
+    found_ = onboard_->steps_found();
     const double after_s = options_.draw.step ? t - options_.draw.step->at_s : -1.0;
     if (after_s < 0.0 || after_s > latest_find_s) {
       ++out_.step.false_alarms;
     } else if (!out_.step.found_after_s) {
       out_.step.found_after_s = after_s;
-      out_.step.named = estimator_.estimate().stepped == stepped_;
+      out_.step.named = estimator_->estimate().stepped == stepped_;
     }
   }
 
   void score(const sim::EngineSample& sample, double t) {
-    const estimation::Estimate& e = estimator_.estimate();
+    const estimation::Estimate& e = estimator_->estimate();
     const auto reached = [&](double time_s) { return t >= time_s && t - options_.step_s < time_s; };
     if (reached(early_s)) squares(sample, out_.ssee_700, out_.claim_700);
     if (reached(landing_s)) squares(sample, out_.ssee_landing, out_.claim_landing);
@@ -103,7 +106,7 @@ class Flight {
   }
 
   void squares(const sim::EngineSample& sample, double& ssee, double& claim) const {
-    const estimation::Estimate& e = estimator_.estimate();
+    const estimation::Estimate& e = estimator_->estimate();
     ssee = claim = 0.0;
     for (std::size_t i = 0; i < sample.health.size(); ++i) {
       const double error = 100.0 * (e.health(as_index(i)) - sample.health[i]);
@@ -115,7 +118,8 @@ class Flight {
 
   const FlightStudyOptions& options_;
   sim::Simulation simulation_;
-  onboard::OnBoardEstimator estimator_;
+  std::unique_ptr<estimation::Estimator> estimator_;
+  const onboard::OnBoardEstimator* onboard_;  ///< the same, where it is that one
   int stepped_;
   std::int64_t found_ = 0;
   estimation::SensorMask fused_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine_sim/engines/engine_definition.h"
+#include "monitor/estimation/estimator.h"
 #include "monitor/onboard/on_board_model.h"
 #include "tuner_design/flight/mission_scenario.h"
 
@@ -23,6 +24,8 @@ struct FlightStudyOptions {
   MissionDraw draw;                  ///< of the truth
   std::vector<std::size_t> missing;  ///< sensors that are dead from the start
   onboard::OnBoardOptions onboard;   ///< sample_time_s is step_s
+  /// Which estimator flies in place of the on-board one; made for step_s.
+  std::shared_ptr<const estimation::Estimator> estimator;
   unsigned threads = 1;
 };
 

@@ -21,7 +21,8 @@ FlightFleet fleet(const FlightStudyOptions& common, std::string name, const engi
   return fleet;
 }
 
-std::vector<FlightFleet> fleets_of(const FlightStudyOptions& common) {
+std::vector<FlightFleet> fleets_of(const FlightStudyOptions& common,
+                                   const std::shared_ptr<const estimation::Estimator>& scheduled) {
   const engine_sim::MismatchDraw built{.build = true, .soak = true}, all{true, true, true};
   std::vector<FlightFleet> fleets{fleet(common, "as filed", {}), fleet(common, "build, soak", built),
                                   fleet(common, "all", all), fleet(common, "step in cruise", built),
@@ -35,6 +36,11 @@ std::vector<FlightFleet> fleets_of(const FlightStudyOptions& common) {
     fleets.push_back(fleet(
         common, "without " + std::string(sensors[2].quantity->name) + ", " + std::string(sensors.back().quantity->name),
         built, {2, sensors.size() - 1}));
+  if (scheduled) {
+    fleets.push_back(fleet(common, "scheduled, as filed", {}));
+    fleets.push_back(fleet(common, "scheduled, build, soak", built));
+    for (std::size_t i = fleets.size() - 2; i < fleets.size(); ++i) fleets[i].options.estimator = scheduled;
+  }
   return fleets;
 }
 
@@ -71,9 +77,13 @@ void add_step_figures(const std::vector<FlightFleet>& fleets, std::vector<Flight
 std::vector<FlightFigure> figures_of(const std::vector<FlightFleet>& fleets) {
   const FleetResult &filed = fleets[0].result, &built = fleets[1].result, &all = fleets[2].result;
   double estimated = 1.0, covered = 1.0;
-  for (const FlightFleet& f : fleets) estimated = std::min(estimated, f.result.estimated);
-  for (std::size_t i = first_incomplete; i < fleets.size(); ++i)
+  std::size_t incomplete = 0;
+  for (std::size_t i = 0; i < fleets.size(); ++i) {
+    estimated = std::min(estimated, fleets[i].result.estimated);
+    if (i < first_incomplete || fleets[i].options.estimator) continue;
     covered = std::min(covered, fleets[i].result.health_coverage);
+    ++incomplete;
+  }
   const auto ratio = [](const FleetResult& r) { return r.ssee_landing > 0.0 ? r.claim_landing / r.ssee_landing : 0.0; };
   std::vector<FlightFigure> figures{
       {"samples with estimates, taxi included, every fleet", estimated, 0.99, {}},
@@ -89,19 +99,26 @@ std::vector<FlightFigure> figures_of(const std::vector<FlightFleet>& fleets) {
       {"all: best coverage of an auxiliary output, steady", greatest_of(all.steady_coverage), {}, 0.98},
       {"all: worst coverage of an auxiliary output, 30 s after a slam", least_of(all.slam_coverage), 0.90, {}}};
   add_step_figures(fleets, figures);
-  if (fleets.size() > first_incomplete)
+  if (incomplete > 0)
     figures.push_back({"one or two sensors missing: pooled coverage, worst fleet", covered, 0.88, {}});
+  for (const FlightFleet& f : fleets) {
+    if (!f.options.estimator) continue;
+    figures.push_back({f.name + ": SSEE at landing", f.result.ssee_landing, {}, 6.0});
+    figures.push_back({f.name + ": coverage of the worst health channel", f.result.worst_health_coverage, 0.90, {}});
+  }
   return figures;
 }
 
 }  // namespace
 
-FlightStudy run_flight_study(const FlightStudyOptions& common, const std::function<void(double)>& progress) {
+FlightStudy run_flight_study(const FlightStudyOptions& common,
+                             const std::shared_ptr<const estimation::Estimator>& scheduled,
+                             const std::function<void(double)>& progress) {
   FlightStudy study;
   for (const auto& channel : common.engine->channels.health)
     study.health.emplace_back(engine_sim::health_names[channel.parameter]);
   for (const auto* output : common.engine->channels.auxiliary) study.auxiliary.emplace_back(output->name);
-  study.fleets = fleets_of(common);
+  study.fleets = fleets_of(common, scheduled);
   for (std::size_t i = 0; i < study.fleets.size(); ++i) {
     const auto of_all = static_cast<double>(study.fleets.size());
     study.fleets[i].result =

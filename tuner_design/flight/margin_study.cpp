@@ -10,6 +10,7 @@
 
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "engine_sim/scenario/mission.h"
+#include "monitor/onboard/on_board_estimator.h"
 #include "monitor/onboard/take_off_margin.h"
 #include "tuner_design/flight/estimated_flight.h"
 #include "tuner_design/monte_carlo/random_stream.h"
