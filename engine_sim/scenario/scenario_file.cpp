@@ -216,6 +216,7 @@ void declare(Schema& schema, SimConfig& c) {
   c.engine_keys.declare(schema, s);
   c.mismatch_keys.declare(schema);
   c.mission_keys.declare(schema);
+  c.life_keys.declare(schema);
   schema.integer("dds.domain", c.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", c.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", c.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
@@ -290,6 +291,7 @@ void finish_config(SimConfig& c, const Schema& schema) {
                            : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n
                                                              : DemandKind::fuel_flow_kg_s;
   c.mission_keys.finish(schema.given(), c.scenario);
+  if (!c.linear) c.life_keys.finish(c.scenario);
   check_health_sum(c.scenario, names);
   check_profile(c.scenario.profile);
 }

@@ -8,6 +8,7 @@
 //   [flight] altitude_m, mach, delta_isa_k      [demand] kind, value
 //   [sensors] noise, lags, quantisation         [control] hold_limits, speed_bandwidth_rad_s     [dds]      [log] level
 //   [mission] name, time_scale, delta_isa_k, offtake, power
+//   [life] cycles, washed_at, replaced_at, seed (life.h)
 //   [mismatch] build, soak, inputs, seed, and each cause by its name (mismatch.h)
 //   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k, customer_bleed_kg_s, power_w
 //   [[wear]] parameter, initial, drift_per_hour
@@ -24,6 +25,7 @@
 #include "deploy/runtime/config/schema.h"
 #include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/scenario/engine_keys.h"
+#include "engine_sim/scenario/life_keys.h"
 #include "engine_sim/scenario/mismatch_keys.h"
 #include "engine_sim/scenario/mission_keys.h"
 #include "engine_sim/scenario/scenario.h"
@@ -42,6 +44,7 @@ struct SimConfig {
   EngineKeys engine_keys;
   MismatchKeys mismatch_keys;
   MissionKeys mission_keys;
+  LifeKeys life_keys;
   ReplayOptions replay;
   std::string linear_file;  ///< file of a model to fly; empty: the turbofan flies
   /// What that file holds, once a table or finish_config has asked for it; null: the turbofan flies.

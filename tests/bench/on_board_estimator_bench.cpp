@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of the on-board estimator for one sample (predict, innovate, update), over taxi, take-off and the first part of
+// Time of the on-board estimator, and with a design of tuner_design envelope of the scheduled one, for one sample (predict, innovate, update), over taxi, take-off and the first part of
 // the climb of a perturbed engine at 15 ms, beside the simulator's own step for the same sample.
-// Usage: on_board_estimator_bench [REPETITIONS]     (default 5)
+// Usage: on_board_estimator_bench [REPETITIONS [DESIGN]]     (default 5)
 // Prints median, 99 % and 99.9 % over the samples in microseconds, of each sample the least over the repetitions, which
 // do the same work to the bit, so that what the operating system interposed is left out.
 
@@ -10,11 +10,14 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/simulation.h"
+#include "monitor/design/design_file.h"
+#include "monitor/design/make_scheduled.h"
 #include "monitor/onboard/on_board_estimator.h"
 #include "tests/bench/percentiles.h"
 #include "tuner_design/flight/flight_engine.h"
@@ -53,39 +56,53 @@ void print(const char* what, std::vector<double> us, double reference_us) {
               median / reference_us);
 }
 
-int run(int repetitions) {
+/// Flies all samples through a clone, and keeps each one's least time. @returns those without an answer.
+std::size_t measure_all(const estimation::Estimator& prototype, const std::vector<Sampled>& flight,
+                        std::vector<double>& least_us) {
+  const auto estimator = prototype.clone();
+  const estimation::SensorMask all((1u << flight.front().sensors.size()) - 1u);
+  estimator->use(all);
+  estimation::Conditions before;
+  std::size_t unanswered = 0;
+  for (std::size_t k = 0; k < flight.size(); ++k) {
+    const Sampled& now = flight[k];
+    measure(least_us[k], [&] {
+      estimator->predict(before, 1);
+      estimator->innovate(now.sensors, now.conditions);
+      estimator->update(all, 1);
+    });
+    before = now.conditions;
+    unanswered += !estimator->estimate().holds;
+  }
+  return unanswered;
+}
+
+int run(int repetitions, const std::string& design_file) {
   const auto engine = flown_engine(*engine_sim::default_engine(), step_s);
   const auto model = std::make_shared<const onboard::OnBoardModel>(engine, onboard::OnBoardOptions{});
   MissionDraw draw;
   draw.mismatch = {true, true, true};
   const auto n = static_cast<std::size_t>(flown_s / step_s);
   const double never = std::numeric_limits<double>::infinity();
-  std::vector<double> simulator_us(n, never), estimator_us(n, never);
+  std::vector<double> simulator_us(n, never), estimator_us(n, never), scheduled_us(n, never);
+  const onboard::OnBoardEstimator on_board(model);
+  const auto scheduled =
+      design_file.empty() ? nullptr : design::make_scheduled_estimator(design::read_design(design_file), {});
   std::vector<Sampled> flight(n);
   std::size_t unanswered = 0;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     engine_sim::Simulation simulation(mission_scenario(engine, step_s, draw, 0));
-    onboard::OnBoardEstimator estimator(model);
-    const estimation::SensorMask all((1u << engine->channels.sensors.size()) - 1u);
-    estimator.use(all);
-    estimation::Conditions before;
-    for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t k = 0; k < n; ++k)
       measure(simulator_us[k], [&] { flight[k] = sampled(simulation.next_sample()); });
-      const Sampled& now = flight[k];
-      measure(estimator_us[k], [&] {
-        estimator.predict(before, 1);
-        estimator.innovate(now.sensors, now.conditions);
-        estimator.update(all, 1);
-      });
-      before = now.conditions;
-      unanswered += !estimator.estimate().holds;
-    }
+    unanswered += measure_all(on_board, flight, estimator_us);
+    if (scheduled) unanswered += measure_all(*scheduled, flight, scheduled_us);
   }
   std::vector<double> reference = simulator_us;
   const double reference_us = percentile(reference, 0.5);
   std::printf("%-40s %8s %8s %8s %8s\n", "", "us", "99 %", "99.9 %", "ratio");
   print("the simulator's step", simulator_us, reference_us);
   print("the on-board estimator, asked 40 us", estimator_us, reference_us);
+  if (scheduled) print("the scheduled estimator, asked 5 us", scheduled_us, reference_us);
   if (unanswered > 0) std::printf("%zu samples without an answer\n", unanswered);
   return unanswered > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
 }
@@ -95,9 +112,9 @@ int run(int repetitions) {
 
 int main(int argc, char** argv) {
   const int repetitions = argc > 1 ? std::atoi(argv[1]) : 5;
-  if (argc > 2 || repetitions < 1) {
-    std::fprintf(stderr, "on_board_estimator_bench: give at most one number of repetitions, 1 or more\n");
+  if (argc > 3 || repetitions < 1) {
+    std::fprintf(stderr, "on_board_estimator_bench: give a number of repetitions, 1 or more, and a design file\n");
     return 2;
   }
-  return ehm::tuner_design::run(repetitions);
+  return ehm::tuner_design::run(repetitions, argc > 2 ? argv[2] : "");
 }

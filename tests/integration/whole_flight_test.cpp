@@ -62,6 +62,38 @@ TEST_F(WholeFlightTest, HasEstimatesFromTaxiToTaxiThatKnowTheirErrors) {
   EXPECT_FALSE(listener_.has_event(idl::EventKind::operating_point, true));
 }
 
+// Without an engine on board: point models over the envelope, of one design file.
+TEST_F(WholeFlightTest, AScheduleOfPointsHasEstimatesFromTaxiToTaxiToo) {
+  const TemporaryFolder folder;
+  const std::string design = folder.path("envelope.json");
+  Process bench({EHM_TUNER_DESIGN, "envelope", "--nodes", "400", "--quiet", "--out", design});
+  ASSERT_EQ(bench.wait(seconds(120)), 0) << bench.log();
+  const auto monitor =
+      start_monitor({"--estimator-published", "scheduled", "--monitor-clock", "source", "--monitor-design", design});
+  const auto simulator = start_simulator({"--run-rate", "max"},
+                                         file("mission.toml", "[mission]\nname = \"two_hours\"\ntime_scale = 0.1\n"));
+  ASSERT_TRUE(listener_.await(
+      [&] {
+        return !simulator->running() && !listener_.status.empty() && listener_.status.back().samples_received() == sent;
+      },
+      seconds(150)))
+      << monitor->log() << simulator->log();
+  EXPECT_GE(listener_.status.back().samples_processed(), static_cast<std::uint64_t>(0.99 * sent)) << monitor->log();
+  std::size_t judged = 0, covered = 0;
+  for (std::size_t k = 4000; k < listener_.health.size(); k += 100) {
+    const EngineHealth& h = listener_.health[k];
+    const auto truth = listener_.truth.find(h.sequence_number());
+    if (truth == listener_.truth.end()) continue;
+    for (std::size_t i = 0; i < h.health_count(); ++i) {
+      ++judged;
+      covered += std::abs(h.health()[i] - truth->second.health()[i]) < 1.96 * h.sigma_total()[i];
+    }
+  }
+  std::printf("coverage %.3f\n", static_cast<double>(covered) / static_cast<double>(judged));
+  EXPECT_GT(covered, judged * 8 / 10);
+  EXPECT_FALSE(listener_.has_event(idl::EventKind::operating_point, true));
+}
+
 // The next flight of an engine starts from what the one before has taught, in another process of the monitor.
 TEST_F(WholeFlightTest, IsSummedUpAtLandingAndTeachesTheNextOne) {
   const TemporaryFolder folder;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "deploy/runtime/long_work/parallel_for.h"
+#include "engine_sim/scenario/life.h"
 #include "engine_sim/scenario/mission.h"
 #include "monitor/onboard/on_board_estimator.h"
 #include "monitor/onboard/take_off_margin.h"
@@ -26,16 +27,6 @@ constexpr double wear_spread = 0.3;
 /// largest, of the HPC's flow capacity, is a quarter.
 constexpr double expected_wear_percent = 0.25;
 
-struct WearTable {
-  sim::Health parameter;
-  double new_percent, worn_percent;
-};
-constexpr WearTable table[] = {{sim::fan_efficiency, -0.18, -1.50}, {sim::fan_flow, -0.26, -2.04},
-                               {sim::lpc_efficiency, -0.62, -1.46}, {sim::lpc_flow, -1.01, -2.08},
-                               {sim::hpc_efficiency, 0.0, -2.0},    {sim::hpc_flow, 0.0, -2.5},
-                               {sim::hpt_efficiency, -0.48, -2.63}, {sim::hpt_flow, 0.08, 1.76},
-                               {sim::lpt_efficiency, -0.10, -0.54}, {sim::lpt_flow, 0.08, 0.26}};
-
 struct Judged {
   double truth_k, error_k, sigma_k;
 };
@@ -51,12 +42,9 @@ class WearingEngine {
   }
 
   sim::HealthVector health_at(int cycles) const {
-    const double share = static_cast<double>(cycles) / life_cycles;
-    sim::HealthVector health{};
-    for (std::size_t j = 0; j < std::size(table); ++j)
-      health[table[j].parameter] =
-          0.01 * pace_[j] * (table[j].new_percent + share * (table[j].worn_percent - table[j].new_percent));
-    return health;
+    sim::Life life{static_cast<double>(cycles)};
+    life.pace = pace_;
+    return sim::health_of(life);
   }
   sim::Scenario flight_at(int cycles) {
     sim::Scenario s = mission_scenario(engine_, step_s, days_, static_cast<std::size_t>(cycles));
@@ -73,7 +61,7 @@ class WearingEngine {
  private:
   RandomStream random_;
   std::shared_ptr<const sim::EngineDefinition> engine_;
-  std::array<double, std::size(table)> pace_{};
+  sim::HealthVector pace_{};
   sim::Mismatch build_{};
   MissionDraw days_;
 };

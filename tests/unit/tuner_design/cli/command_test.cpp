@@ -40,6 +40,19 @@ TEST(Command, DesignPrintsOneJsonObjectAndWritesTheFile) {
   EXPECT_THAT(run({"check", out}).out, HasSubstr(design.hash));
 }
 
+TEST(Command, AnEnvelopeIsADesignThatHasASchedule) {
+  const std::string out = test::temporary_path("envelope.json");
+  const Result result = run({"envelope", "--nodes", "60", "--fleet", "20", "--out", out});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("n1_corrected_rpm"));
+  EXPECT_TRUE(design::read_design(out).schedule.has_value());
+  EXPECT_EQ(run({"envelope", "--variables", "mach", "--out", out}).code, 2);
+  const Result lone = run({"envelope", "--models", model_on_disk(), "--out", out});
+  EXPECT_EQ(lone.code, 2);
+  EXPECT_THAT(lone.err, HasSubstr("two models or more"));
+  EXPECT_THAT(run({"envelope", "--nodes", "5", "--out", out}).err, HasSubstr("--nodes"));
+}
+
 std::string design_on_disk() {
   const std::string path = test::temporary_path("evaluated_design.json");
   EXPECT_EQ(run({"design", "--model", model_on_disk(), "--out", path, "--qh", "1e-3", "--quiet"}).code, 0);
