@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # One command from a bare Debian 12 to live estimates: installs, builds, designs, flies.
 # Usage: deploy/demo.sh [--mission | --seconds N] [--estimator NAME] [--json]
-#   --mission     a whole flight from taxi to taxi in 72 s, by estimator onboard, and its summary at landing
+#   --mission     a whole flight from taxi to taxi in 72 s, and its summary at landing
 #   --seconds N   length of the flight, 12 to 86400 (default 30); at 10 s HPC efficiency falls by 2 %
-#   --estimator NAME   whose estimates are published: tuner (default), gauss_markov, time_varying
+#   --estimator NAME   whose estimates are published: tuner (default), gauss_markov, time_varying; with --mission onboard
+#                 (default), or scheduled, which is deaf to a step of health and has none in its flight
 #   --json        print the summary as one JSON object and nothing else on standard output
 # Exit: 0 nothing lost or withheld and every estimate within 3 published sigmas, 1 otherwise, 2 wrong usage
 # EHM_BUILD_DIR names another build folder, EHM_DDS_DOMAIN another DDS domain (default 42), EHM_DEMO_CSV a file for every
@@ -13,10 +14,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 seconds=30
-estimator=tuner
+estimator=
 json=()
 mission=false
-usage() { sed -n '2,10s/^# //p' deploy/demo.sh; }
+usage() { sed -n '2,13s/^# //p' deploy/demo.sh; }
 while [ $# -gt 0 ]; do
   case "$1" in
     --seconds)
@@ -27,12 +28,8 @@ while [ $# -gt 0 ]; do
       fi
       shift 2 ;;
     --estimator)
-      estimator=${2:-}
-      if [[ $estimator != @(tuner|gauss_markov|time_varying) ]]; then
-        echo "demo: --estimator is '$estimator', allowed is one of tuner, gauss_markov, time_varying" >&2
-        exit 2
-      fi
-      shift 2 ;;
+      estimator=${2:-nothing}
+      shift; [ $# -eq 0 ] || shift ;;
     --mission) mission=true; shift ;;
     --json) json=(--json); shift ;;
     -h | --help) usage; exit 0 ;;
@@ -40,16 +37,18 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-flight=(--config deploy/demo/engine_sim.toml --run-duration-s "$seconds")
-more=()
+if "$mission"; then names='onboard scheduled'; else names='tuner gauss_markov time_varying'; fi
+estimator=${estimator:-${names%% *}}
+if [[ " $names " != *" $estimator "* ]]; then
+  echo "demo: --estimator is '$estimator', allowed is one of ${names// /, }" >&2
+  exit 2
+fi
 if "$mission"; then
-  if [ "$seconds" != 30 ] || [ "$estimator" != tuner ]; then
-    echo "demo: --mission has a length and an estimator of its own: leave out --seconds and --estimator" >&2
+  if [ "$seconds" != 30 ]; then
+    echo "demo: --mission has a length of its own: leave out --seconds" >&2
     exit 2
   fi
   seconds=1800
-  estimator=onboard
-  flight=(--config deploy/demo/mission.toml --run-rate 25)
 fi
 
 build=${EHM_BUILD_DIR:-build}
@@ -70,8 +69,12 @@ clean_up() {
 trap clean_up EXIT
 trap 'exit 130' INT TERM
 
-"$build/tuner_design/tuner_design" linearise --method fleet --out "$work/model.json" >&2
-"$build/tuner_design/tuner_design" design --model "$work/model.json" --out "$work/design.json" >&2
+if [ "$estimator" = scheduled ]; then
+  "$build/tuner_design/tuner_design" envelope --out "$work/design.json" >&2
+else
+  "$build/tuner_design/tuner_design" linearise --method fleet --out "$work/model.json" >&2
+  "$build/tuner_design/tuner_design" design --model "$work/model.json" --out "$work/design.json" >&2
+fi
 
 # Should this script die without a chance to clean up, the kernel stops the services.
 start() {
@@ -80,11 +83,14 @@ start() {
   setpriv --pdeathsig TERM -- "$@" 2>"$work/$name.log" &
   children+=($!)
 }
+flight=(--config deploy/demo/engine_sim.toml --run-duration-s "$seconds")
+more=(--config deploy/demo/monitor.toml)
 if "$mission"; then
   mkdir "$work/history"
+  cp deploy/demo/mission.toml "$work/mission.toml"
+  [ "$estimator" = onboard ] || sed -i '/^\[\[health_change\]\]/,$d' "$work/mission.toml"
+  flight=(--config "$work/mission.toml" --run-rate 25)
   more=(--history-directory "$work/history" --monitor-clock source)  # its time runs 25 times as fast as ours
-else
-  more=(--config deploy/demo/monitor.toml)
 fi
 start monitor "$build/monitor/monitor" "${more[@]}" --monitor-design "$work/design.json" \
   --estimator-published "$estimator" --dds-domain "$domain"

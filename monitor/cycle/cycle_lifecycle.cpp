@@ -23,6 +23,7 @@ void MonitorCycle::restart_at_point() noexcept {
 }
 
 void MonitorCycle::restart_watch() noexcept {
+  bias_return_.forget();
   detection_.restart(accommodation_.start(watch_, supervision_), events_);
   fleet_.reset(events_);
   verdict_ = {};

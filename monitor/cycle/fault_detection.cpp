@@ -112,19 +112,33 @@ void FaultDetection::settle_ambiguity(bool decided, EventList& events) noexcept 
   ambiguous_.set(!over, {.kind = idl::EventKind::ambiguous_fault, .channel = ambiguous_channel_}, events);
 }
 
-void FaultDetection::follow(const estimation::Estimate& published, EventList& events) noexcept {
+int FaultDetection::follow(const estimation::Estimate& published, SensorSupervision& supervision, CycleResult& result,
+                           EventList& events) noexcept {
   const bool stepped = published.stepped >= 0;
   const auto channel = static_cast<std::uint32_t>(std::max(published.stepped, 0));
   if (published_step_.raised() && (!stepped || channel != stepped_channel_))
     published_step_.set(false, {.kind = idl::EventKind::health_shift, .channel = stepped_channel_}, events);
-  if (!stepped) return;
-  stepped_channel_ = channel;
-  published_step_.set(true,
-                      {.kind = idl::EventKind::health_shift,
-                       .channel = channel,
-                       .value = published.step,
-                       .threshold = published.least_step},
+  if (stepped) {
+    stepped_channel_ = channel;
+    published_step_.set(true,
+                        {.kind = idl::EventKind::health_shift,
+                         .channel = channel,
+                         .value = published.step,
+                         .threshold = published.least_step},
+                        events);
+  }
+  const int sensor = published.biased;
+  if (sensor < 0 || supervision.excluded(sensor)) return -1;
+  supervision.exclude(sensor,
+                      {.kind = idl::EventKind::sensor_fault,
+                       .channel = static_cast<std::uint32_t>(sensor),
+                       .raised = true,
+                       .value = published.bias,
+                       .threshold = published.least_bias,
+                       .detail = reason::bias},
                       events);
+  result.reason[as_size(sensor)] |= reason::bias | reason::excluded;
+  return sensor;
 }
 
 void FaultDetection::restart(int missing, EventList& events) noexcept {

@@ -35,8 +35,10 @@ class FaultDetection {
   Verdict diagnose(const estimation::TunerEstimator& watch, bool has_design, int steps, SensorSupervision& supervision,
                    CycleResult& result, EventList& events) noexcept;
 
-  /// Where the watch filter's model does not hold: the step of health that the published estimator has found by itself.
-  void follow(const estimation::Estimate& published, EventList& events) noexcept;
+  /// Where the watch filter's model does not hold: the step of health, or the bias of a sensor, that the published
+  /// estimator has found by itself. Excludes the sensor. @returns which has been excluded now; -1: none.
+  int follow(const estimation::Estimate& published, SensorSupervision& supervision, CycleResult& result,
+             EventList& events) noexcept;
 
   /// The watch filter starts cold, without sensor `missing` (-1: with all).
   void restart(int missing, EventList& events) noexcept;

@@ -79,7 +79,10 @@ void MonitorCycle::fuse_beyond_the_point() noexcept {
   const GateDecision gate = innovation_gate(innovation.value, innovation.variance, supervision_.plausible(result_),
                                             options_.checks.gate_sigma);
   result_.ratio = gate.ratio;
-  supervision_.gate(gate, {}, result_);
+  bias_return_.look(innovation.value);
+  GateContext context;
+  context.held_back = bias_return_.sensor();
+  supervision_.gate(gate, context, result_);
   supervision_.qualify(false, result_, counters_, events_);
   note_fused(supervision_.available());
   companions_.update(result_.fused, supervision_.hold());
@@ -153,7 +156,8 @@ void MonitorCycle::conclude(bool has_design) noexcept {
 void MonitorCycle::diagnose() noexcept {
   if (!valid_) return;
   if (!at_point_) {
-    detection_.follow(result_.estimate, events_);
+    const int sensor = detection_.follow(result_.estimate, supervision_, result_, events_);
+    if (sensor >= 0) bias_return_.leave_out(sensor, result_.estimate.bias, result_.estimate.least_bias);
     if (result_.estimates) limits_.check(result_.estimate.health, result_.estimate.auxiliary, events_);
     return;
   }

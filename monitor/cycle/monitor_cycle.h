@@ -9,8 +9,8 @@
 // The two parts may be called one by one, so that an estimate is on its way before it is judged: a fault that judging
 // finds changes the estimates from the next sample on. Each station is a file of its own; this one only leads from one
 // to the next. The watch filter is the tuner filter, whichever estimator is published. Where its model does not hold and
-// the published estimator's does, that one goes on alone and its innovations gate the readings; faults are named, and
-// the fleet is judged, by the watch filter only.
+// the published estimator's does, that one goes on alone and its innovations gate the readings; it names steps of
+// health and biased sensors by itself; the fleet is judged by the watch filter only.
 //
 // Knows no DDS, clock, file, thread or log. Deterministic: the same samples give the same results to the bit.
 
@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "deploy/runtime/numbers/index.h"
+#include "monitor/checks/bias_return.h"
 #include "monitor/checks/validity.h"
 #include "monitor/cycle/accommodation.h"
 #include "monitor/cycle/companion_estimators.h"
@@ -141,6 +142,7 @@ class MonitorCycle {
   Validity validity_;  ///< of the published estimator
   Within point_;       ///< of the watch filter
   Accommodation accommodation_;
+  BiasReturn bias_return_;  ///< beyond the point
   FleetWatch fleet_;
   FaultDetection detection_;
   LimitWatch limits_;

@@ -18,6 +18,9 @@ struct Estimate {
   /// least that would have been seen; channel units. -1: none has.
   int stepped = -1;
   double step = 0.0, least_step = 0.0;
+  /// The sensor that has most likely become biased, by how much, and the least that would have been seen; its unit. -1: none.
+  int biased = -1;
+  double bias = 0.0, least_bias = 0.0;
   bool settled = false;  ///< what it did not know at its start has faded to a thousandth
 };
 

@@ -28,6 +28,7 @@ constexpr double most_soak = 0.7;    ///< of the metal's conductance and capacit
 constexpr double metal_doubt_k = 50.0;
 constexpr double longest_without_answer_s = 1.0, settling_time_s = 60.0;
 constexpr double step_lasts_s = 60.0;  ///< after it was found
+constexpr double sure = 0.9;           ///< probability from which on a sensor is named
 
 double square(double x) {
   return x * x;
@@ -68,7 +69,7 @@ void OnBoardEstimator::start_cold() noexcept {
   doubt_.noise.setOnes(layout_.sensor_count);
   doubt_.slow.setZero(layout_.sensor_count);
   steps_.reset();
-  estimate_.stepped = -1;
+  estimate_.stepped = estimate_.biased = -1;
   size_.setOnes(layout_.sensor_count);
   innovation_.value.setZero(layout_.sensor_count);
   innovation_.variance.setZero(layout_.sensor_count);
@@ -112,6 +113,7 @@ bool OnBoardEstimator::use(SensorMask available) noexcept {
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) all.set(as_size(i));
   if ((available & all).none()) return false;
   estimate_.sensors = available & all;
+  if (estimate_.biased >= 0 && !available[as_size(estimate_.biased)]) estimate_.biased = -1;  // it is left out now
   return true;
 }
 
@@ -261,7 +263,7 @@ void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
 
 void OnBoardEstimator::watch_for_steps(SensorMask fused) noexcept {
   const double dt_s = model_->options().sample_time_s;
-  if (estimate_.stepped >= 0 && static_cast<double>(++since_step_) * dt_s > step_lasts_s) estimate_.stepped = -1;
+  if (static_cast<double>(++since_step_) * dt_s > step_lasts_s) estimate_.stepped = estimate_.biased = -1;
   if (!teach_ || !estimate_.settled) return steps_.reset();  // P is open by itself
   if (steps_.take(innovation_.value.cwiseQuotient(size_), fused, tangent_, covariance_, doubt_)) open_for_step();
 }
@@ -275,11 +277,19 @@ void OnBoardEstimator::open_for_step() noexcept {
   covariance_.open(UnknownLayout::first_health(), variance);
   covariance_.open(layout_.first_bias(), square(model_->options().step_bias_percent) * found.sensor);
   ++steps_found_;
-  if (found.parameter < 0) return;
+  since_step_ = 0;
+  estimate_.stepped = estimate_.biased = -1;
+  if (found.parameter < 0) {
+    Eigen::Index sensor = 0;
+    if (found.sensor.maxCoeff(&sensor) < sure) return;
+    estimate_.biased = static_cast<int>(sensor);
+    estimate_.bias = found.size_percent * size_(sensor);
+    estimate_.least_bias = found.threshold_percent * size_(sensor);
+    return;
+  }
   estimate_.stepped = static_cast<int>(found.parameter);
   estimate_.step = 0.01 * found.size_percent;
   estimate_.least_step = 0.01 * found.threshold_percent;
-  since_step_ = 0;
 }
 
 void OnBoardEstimator::move_by(const UnknownVector& change) noexcept {

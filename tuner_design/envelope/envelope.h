@@ -23,7 +23,7 @@ namespace ehm::tuner_design {
 
 struct EnvelopeOptions {
   std::shared_ptr<const engine_sim::EngineDefinition> engine;
-  std::size_t most_nodes = 400;
+  std::size_t most_nodes = 891;
   NodeOptions node;
   int checks = 300;  ///< random places
   unsigned threads = 1;

@@ -53,7 +53,9 @@ class Flight {
         estimator_(options.estimator ? options.estimator->clone()
                                      : std::make_unique<onboard::OnBoardEstimator>(std::move(model))),
         onboard_(options.estimator ? nullptr : static_cast<const onboard::OnBoardEstimator*>(estimator_.get())),
-        stepped_(static_cast<int>(stepped_channel(*options.engine, index))) {
+        stepped_(static_cast<int>(stepped_channel(*options.engine, index))),
+        biased_(as_index(biased_sensor(*options.engine, index))),
+        bias_sign_(index / options.engine->channels.sensors.size() % 2 == 0 ? 1.0 : -1.0) {
     const auto& channels = options.engine->channels;
     out_.health.resize(channels.health.size());
     out_.steady.resize(channels.auxiliary.size());
@@ -63,8 +65,10 @@ class Flight {
   }
 
   FlightOutcome run() {
-    estimate_flight(simulation_, sim::mission_seconds, options_.step_s, *estimator_, fused_,
-                    [&](const sim::EngineSample& sample, double t) { take(sample, t); });
+    estimate_flight(
+        simulation_, sim::mission_seconds, options_.step_s, *estimator_,
+        [&](estimation::SensorVector& y, double t) { return spoiled(y, t); },
+        [&](const sim::EngineSample& sample, double t) { take(sample, t); });
     return out_;
   }
 
@@ -72,9 +76,31 @@ class Flight {
   void take(const sim::EngineSample& sample, double t) {
     ++out_.samples;
     note_step(t);
+    note_bias(t);
     if (!estimator_->estimate().holds) return;
     ++out_.estimated;
     score(sample, t);
+  }
+
+  /// The biased sensor from its time on; which are good: all but those that are missing, or were found biased.
+  estimation::SensorMask spoiled(estimation::SensorVector& y, double t) const {
+    if (const auto& bias = options_.draw.bias; bias && t >= bias->at_s) {
+      const double sigma = 0.01 * options_.engine->channels.sensors[as_size(biased_)].noise_percent;
+      y(biased_) *= 1.0 + bias_sign_ * bias->sigmas * sigma;
+    }
+    return fused_;
+  }
+
+  void note_bias(double t) {
+    const int biased = estimator_->estimate().biased;
+    if (biased < 0 || !fused_[as_size(biased)]) return;
+    fused_.reset(as_size(biased));  // as the monitor leaves it out
+    const double after_s = options_.draw.bias ? t - options_.draw.bias->at_s : -1.0;
+    if (after_s < 0.0 || biased != biased_) ++out_.bias.false_alarms;
+    if (after_s >= 0.0 && after_s <= latest_find_s && !out_.bias.found_after_s) {
+      out_.bias.found_after_s = after_s;
+      out_.bias.named = biased == biased_;
+    }
   }
 
   void note_step(double t) {
@@ -121,6 +147,8 @@ class Flight {
   std::unique_ptr<estimation::Estimator> estimator_;
   const onboard::OnBoardEstimator* onboard_;  ///< the same, where it is that one
   int stepped_;
+  Eigen::Index biased_;
+  double bias_sign_;
   std::int64_t found_ = 0;
   estimation::SensorMask fused_;
   FlightOutcome out_;

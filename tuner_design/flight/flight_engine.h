@@ -34,10 +34,10 @@ struct ChannelScore {
   std::size_t judged = 0, covered = 0;
 };
 
-/// What the estimator said of a step: of the one that there was, and of such as there were not.
+/// What the estimator said of a step, or of a biased sensor: of the one that there was, and of such as there were not.
 struct StepOutcome {
   std::optional<double> found_after_s;
-  bool named = false;  ///< the right parameter
+  bool named = false;  ///< the right parameter, or sensor
   int false_alarms = 0;
 };
 
@@ -45,7 +45,7 @@ struct FlightOutcome {
   double samples = 0, estimated = 0;
   double ssee_700 = 0, claim_700 = 0, ssee_landing = 0, claim_landing = 0;  ///< percent^2, of all health
   std::vector<ChannelScore> health;                                         ///< from take-off to landing
-  StepOutcome step;
+  StepOutcome step, bias;
   std::vector<ChannelScore> steady, slam;  ///< of auxiliary outputs: in cruise, and in the 30 s after the slams
 };
 

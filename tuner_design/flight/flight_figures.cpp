@@ -7,7 +7,7 @@ namespace ehm::tuner_design {
 namespace {
 
 /// Fleets with all sensors come first.
-constexpr std::size_t first_incomplete = 5;
+constexpr std::size_t first_incomplete = 7;
 
 FlightFleet fleet(const FlightStudyOptions& common, std::string name, const engine_sim::MismatchDraw& truth,
                   std::vector<std::size_t> missing = {}) {
@@ -24,11 +24,17 @@ FlightFleet fleet(const FlightStudyOptions& common, std::string name, const engi
 std::vector<FlightFleet> fleets_of(const FlightStudyOptions& common,
                                    const std::shared_ptr<const estimation::Estimator>& scheduled) {
   const engine_sim::MismatchDraw built{.build = true, .soak = true}, all{true, true, true};
-  std::vector<FlightFleet> fleets{fleet(common, "as filed", {}), fleet(common, "build, soak", built),
-                                  fleet(common, "all", all), fleet(common, "step in cruise", built),
-                                  fleet(common, "step in climb", built)};
+  std::vector<FlightFleet> fleets{fleet(common, "as filed", {}),
+                                  fleet(common, "build, soak", built),
+                                  fleet(common, "all", all),
+                                  fleet(common, "step in cruise", built),
+                                  fleet(common, "step in climb", built),
+                                  fleet(common, "bias in cruise", built),
+                                  fleet(common, "bias in climb", built)};
   fleets[3].options.draw.step = StepOfHealth{2500.0, 2.0};
   fleets[4].options.draw.step = StepOfHealth{900.0, 2.0};
+  fleets[5].options.draw.bias = BiasOfSensor{2500.0, 5.0};
+  fleets[6].options.draw.bias = BiasOfSensor{900.0, 5.0};
   const auto& sensors = common.engine->channels.sensors;
   for (std::size_t i = 0; i < sensors.size(); ++i)
     fleets.push_back(fleet(common, "without " + std::string(sensors[i].quantity->name), built, {i}));
@@ -73,6 +79,27 @@ void add_step_figures(const std::vector<FlightFleet>& fleets, std::vector<Flight
   figures.push_back({"steps found where there was none, a flight, worst fleet", false_alarms, {}, 0.2});
 }
 
+/// The same of sensors.
+void add_bias_figures(const std::vector<FlightFleet>& fleets, std::vector<FlightFigure>& figures) {
+  double biases = 0.0, found = 0.0, named = 0.0, delay_s = 0.0, false_alarms = 0.0, landing = 0.0;
+  for (const FlightFleet& f : fleets) {
+    const auto found_here = static_cast<double>(f.result.biases_found);
+    biases += static_cast<double>(f.result.biases);
+    found += found_here;
+    named += static_cast<double>(f.result.biases_named);
+    delay_s += found_here * f.result.bias_delay_s;
+    false_alarms = std::max(false_alarms, f.result.false_biases);
+    if (f.result.biases > 0) landing = std::max(landing, f.result.ssee_landing);
+  }
+  if (biases == 0.0) return;
+  figures.push_back({"biases of 5 sigma: found within a minute", found / biases, 0.95, {}});
+  figures.push_back(
+      {"biases of 5 sigma: of those found, the sensor named right", found > 0.0 ? named / found : 0.0, 0.90, {}});
+  figures.push_back({"biases of 5 sigma: mean delay, s", found > 0.0 ? delay_s / found : 0.0, {}, 3.0});
+  figures.push_back({"biases of 5 sigma: SSEE at landing, worse fleet", landing, {}, 8.0});
+  figures.push_back({"biases found where there was none, a flight, worst fleet", false_alarms, {}, 0.2});
+}
+
 /// What is asked of the estimator, beside what the fleets gave.
 std::vector<FlightFigure> figures_of(const std::vector<FlightFleet>& fleets) {
   const FleetResult &filed = fleets[0].result, &built = fleets[1].result, &all = fleets[2].result;
@@ -99,6 +126,7 @@ std::vector<FlightFigure> figures_of(const std::vector<FlightFleet>& fleets) {
       {"all: best coverage of an auxiliary output, steady", greatest_of(all.steady_coverage), {}, 0.98},
       {"all: worst coverage of an auxiliary output, 30 s after a slam", least_of(all.slam_coverage), 0.90, {}}};
   add_step_figures(fleets, figures);
+  add_bias_figures(fleets, figures);
   if (incomplete > 0)
     figures.push_back({"one or two sensors missing: pooled coverage, worst fleet", covered, 0.88, {}});
   for (const FlightFleet& f : fleets) {

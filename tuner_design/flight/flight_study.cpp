@@ -39,6 +39,16 @@ void add_step(const StepOutcome& step, bool stepped, FleetResult& r) {
   r.step_delay_s += *step.found_after_s;
 }
 
+void add_bias(const StepOutcome& bias, bool was_biased, FleetResult& r) {
+  r.false_biases += bias.false_alarms;
+  if (!was_biased) return;
+  ++r.biases;
+  if (!bias.found_after_s) return;
+  ++r.biases_found;
+  r.biases_named += bias.named;
+  r.bias_delay_s += *bias.found_after_s;
+}
+
 }  // namespace
 
 FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<void(double)>& progress) {
@@ -74,6 +84,7 @@ FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<voi
     r.claim_landing += o.claim_landing;
     r.worst_landing = std::max(r.worst_landing, o.ssee_landing);
     add_step(o.step, options.draw.step.has_value(), r);
+    add_bias(o.bias, options.draw.bias.has_value(), r);
     add(o.health, health);
     add(o.steady, steady);
     add(o.slam, slam);
@@ -82,6 +93,8 @@ FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<voi
   const double n = static_cast<double>(r.flown);
   for (double* mean : {&r.ssee_700, &r.claim_700, &r.ssee_landing, &r.claim_landing}) *mean /= n;
   r.false_steps /= n;
+  r.false_biases /= n;
+  if (r.biases_found > 0) r.bias_delay_s /= static_cast<double>(r.biases_found);
   if (r.steps_found > 0) r.step_delay_s /= static_cast<double>(r.steps_found);
   r.estimated = estimated / samples;
   r.worst_health_coverage = 1.0;

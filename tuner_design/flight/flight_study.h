@@ -25,6 +25,10 @@ struct FleetResult {
   double false_steps = 0;                                   ///< found where there was none, a flight
   std::size_t steps = 0, steps_found = 0, steps_named = 0;  ///< of engines with one
   double step_delay_s = 0;                                  ///< mean, of those found
+  /// The same of a sensor that becomes biased.
+  double false_biases = 0;
+  std::size_t biases = 0, biases_found = 0, biases_named = 0;
+  double bias_delay_s = 0;
   double health_coverage = 0, worst_health_coverage = 0;
   std::vector<double> steady_coverage, slam_coverage;  ///< by auxiliary output
   std::vector<double> health_coverage_by_channel;

@@ -80,7 +80,9 @@ std::vector<Judged> live(const MarginStudyOptions& options, const std::shared_pt
   for (int cycles = 0; cycles <= life_cycles; cycles += cycles_between) {
     sim::Simulation simulation(engine.flight_at(cycles));
     estimator.begin_with(known, cycles == 0 ? 0.0 : expected_wear_percent);
-    estimate_flight(simulation, shortened * sim::mission_seconds, step_s, estimator, all, [](const auto&, double) {});
+    estimate_flight(
+        simulation, shortened * sim::mission_seconds, step_s, estimator, [&](const auto&, double) { return all; },
+        [](const auto&, double) {});
     known = estimator.learned();
     const onboard::TakeOffMargin told = onboard::take_off_margin(*model, known);
     const double truth_k = onboard::egt_margin_k(truth, engine.health_at(cycles), thrust_n);

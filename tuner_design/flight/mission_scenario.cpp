@@ -15,6 +15,10 @@ std::size_t stepped_channel(const sim::EngineDefinition& engine, std::size_t ind
   return index % engine.channels.health.size();
 }
 
+std::size_t biased_sensor(const sim::EngineDefinition& engine, std::size_t index) {
+  return index % engine.channels.sensors.size();
+}
+
 sim::Scenario mission_scenario(std::shared_ptr<const sim::EngineDefinition> engine, double step_s,
                                const MissionDraw& draw, std::size_t index) {
   RandomStream random(draw.seed, index);

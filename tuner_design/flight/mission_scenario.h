@@ -23,16 +23,27 @@ struct StepOfHealth {
   double percent;
 };
 
+/// One sensor becomes biased: by turns down the list, from engine to engine, up or down, by so many of its sigmas at 15 ms,
+/// of the present reading. Who flies the scenario does that to the readings.
+struct BiasOfSensor {
+  double at_s;
+  double sigmas;
+};
+
 /// What differs between the engines of a fleet.
 struct MissionDraw {
   std::uint64_t seed = 1;
   engine_sim::MismatchDraw mismatch;
   bool heat_soak = true;
   std::optional<StepOfHealth> step;
+  std::optional<BiasOfSensor> bias;
 };
 
 /// The health channel that steps in flight number `index`.
 std::size_t stepped_channel(const engine_sim::EngineDefinition& engine, std::size_t index);
+
+/// The sensor that becomes biased in flight number `index`.
+std::size_t biased_sensor(const engine_sim::EngineDefinition& engine, std::size_t index);
 
 engine_sim::Scenario mission_scenario(std::shared_ptr<const engine_sim::EngineDefinition> engine, double step_s,
                                       const MissionDraw& draw, std::size_t index);

@@ -80,7 +80,7 @@ TEST_F(RecordedMission, WhatIsWrongIsNamed) {
   EXPECT_THAT(refusal("time_s,altitude_m,mach,n1_rpm\n0,0,0,3000\n5,0,1.4,3000\n"),
               testing::AllOf(HasSubstr("flight.csv:3"), HasSubstr("Mach 1.4")));
   EXPECT_THAT(refusal("time_s,altitude_m,mach,n1_rpm\n0,0,0,idle\n"),
-              HasSubstr("n1_rpm is \"idle\", allowed is a number"));
+              HasSubstr("n1_rpm is 'idle', allowed is a number"));
   EXPECT_THAT(refusal("time_s,altitude_m,mach,fuel_flow_kg_h\n0,0,0,0\n5,0,0,0\n"), HasSubstr("no fuel is burnt"));
 }
 

@@ -314,7 +314,7 @@ TEST(EstimatorTable, NamesAreRefusedWithWhatIsAllowed) {
   EXPECT_EQ(refused("tuner", "gauss_markov,time_varying"), "");
   EXPECT_EQ(refused("time_varying", "tuner"), "");
   EXPECT_EQ(refused("tuner", "kalman"),
-            "'kalman' is no estimator; allowed: tuner, gauss_markov, time_varying, onboard");
+            "'kalman' is no estimator; allowed: tuner, gauss_markov, time_varying, onboard, scheduled");
   EXPECT_THAT(refused("tuner", "gauss_markov,"), testing::HasSubstr("'' is no estimator"));
   EXPECT_THAT(refused("tuner", "tuner"), testing::HasSubstr("published already"));
   EXPECT_THAT(refused("tuner", "gauss_markov,gauss_markov"), testing::HasSubstr("stands twice"));
