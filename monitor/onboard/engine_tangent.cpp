@@ -201,7 +201,7 @@ void EngineTangent::settle() noexcept {
   bool invertible = false;
   speed_rates().computeInverseWithCheck(inverse, invertible);
   const Eigen::Matrix2d back = invertible ? Eigen::Matrix2d(-inverse) : Eigen::Matrix2d(Eigen::Matrix2d::Zero());
-  const auto variance = [&](const auto& slopes, Eigen::Index i) {
+  const auto variance = [&](const auto& slopes, Eigen::Index i, double share) {
     const Eigen::RowVector2d by_rates = slopes.row(i).template head<speed_count>() * back;
     double sum = 0.0;
     for (Eigen::Index j = 0; j < layout_.health_count; ++j) {
@@ -212,17 +212,18 @@ void EngineTangent::settle() noexcept {
     }
     for (Eigen::Index j = 0; j < layout_.cause_count; ++j) {
       const Eigen::Index at = layout_.first_cause() + j;
-      const double s = o.path_share * (slopes(i, at) + by_rates.dot(rates_.col(at).transpose()));
+      const double s = share * (slopes(i, at) + by_rates.dot(rates_.col(at).transpose()));
       sum += s * s;
     }
     return sum;
   };
-  for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) path_variance_(i) = variance(readings_, i);
+  for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) path_variance_(i) = variance(readings_, i, o.path_share);
   const auto by_health = [&](const auto& slopes) {
     return slopes.middleCols(UnknownLayout::first_health(), layout_.health_count);
   };
   settled_health_ = by_health(readings_) + readings_.leftCols<speed_count>() * back * by_health(rates_);
-  for (Eigen::Index i = 0; i < layout_.auxiliary_count; ++i) path_output_variance_(i) = variance(outputs_, i);
+  for (Eigen::Index i = 0; i < layout_.auxiliary_count; ++i)
+    path_output_variance_(i) = variance(outputs_, i, o.output_share);
   metal_readings_ = direct_metal_readings_ + readings_.leftCols<speed_count>() * back * metal_rates_;
   metal_outputs_ = direct_metal_outputs_ + outputs_.leftCols<speed_count>() * back * metal_rates_;
 }

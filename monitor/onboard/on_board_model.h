@@ -29,6 +29,7 @@ struct OnBoardOptions {
   /// The path-driven bias of a sensor: this share of what the causes do to it is not where the model puts it, and the
   /// slopes by health are wrong by so much, as the engine moves by these lengths.
   double path_share = 0.2, path_slope_error = 0.005;
+  double output_share = 0.4;      ///< the same share of an auxiliary output, which nothing measures
   double path_length_n1 = 0.107;  ///< of the corrected fan speed at the design point
   double path_length_mach = 0.2;
   double soak_error = 0.1;  ///< of what the metal's heat does to a reading

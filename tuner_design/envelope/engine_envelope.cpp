@@ -22,6 +22,7 @@ using schedule::Schedule;
 constexpr double least_n1 = 0.36, most_n1 = 1.06;  ///< of the corrected fan speed at the design point
 constexpr double most_mach = 0.86, least_t2_k = 215.0, most_t2_k = 335.0;
 constexpr double least_interval = 1.0 / 40.0;  ///< of an axis: a kink of the valves is no reason for ever more nodes
+constexpr double bias_factor = 1.8;            ///< of lambda; chosen on fleets of seed 101
 constexpr double share_of_refining = 0.3;      ///< of the work, for the bar
 /// gamma of theory.md, section 13, without heat soak in the model: percent of a reading a percent of eta, by unit.
 double eta_of_reading(const std::string& unit) {
@@ -98,6 +99,7 @@ class Grid {
       schedule_.eta_z(as_index(i)) = unit == "K" ? 2.6 : unit == "N" ? 400.0 : 0.06;  // theory.md, section 13
     }
     schedule_.path_n1_rpm = 0.107 * design_n1_;
+    schedule_.bias_factor = bias_factor;
   }
 
   /// Of [x0 u0 y0 z0]; each place is solved once.

@@ -106,6 +106,7 @@ class Flight {
   void note_step(double t) {
     if (onboard_ == nullptr || onboard_->steps_found() == found_) return;
     found_ = onboard_->steps_found();
+    if (estimator_->estimate().biased >= 0) return;  // it was a sensor: note_bias()
     const double after_s = options_.draw.step ? t - options_.draw.step->at_s : -1.0;
     if (after_s < 0.0 || after_s > latest_find_s) {
       ++out_.step.false_alarms;
