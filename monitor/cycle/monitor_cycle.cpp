@@ -11,6 +11,10 @@ namespace ehm::monitor {
 
 namespace reason = idl::reject_reason;
 
+namespace {
+constexpr double metal_settles_s = 75.0;  // three times 25 s, the slowest metal (theory.md, section 13)
+}
+
 MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& options)
     : design_(prepared.design),
       options_(options),
@@ -45,7 +49,7 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   const bool usable = intake_.usable(decision, events_);
   distance_ = distance_of_published();
   valid_ = validity_.check(distance_, events_) && usable;
-  at_point_ = point_.check(watch_.distance(now_)) && valid_;
+  at_point_ = watch_holds(was_at_point);
   if (!valid_) {
     companions_.rest(steps_);
     withhold();
@@ -61,6 +65,17 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   fuse(has_design);
   conclude(has_design);
   return true;
+}
+
+/// Who flies through the point is not at it: the metal is hot or cold from elsewhere, and the watch filter, whose model has
+/// none, would take that for a shift of health. It waits, while another estimator is there to be published.
+bool MonitorCycle::watch_holds(bool was_at_point) noexcept {
+  if (!point_.check(watch_.distance(now_)) || !valid_) {
+    inside_s_ = 0.0;
+    return false;
+  }
+  inside_s_ += steps_ * design_->model.sample_time_s;
+  return was_at_point || published_ == watch_filter || inside_s_ >= metal_settles_s;
 }
 
 double MonitorCycle::distance_of_published() const noexcept {

@@ -115,6 +115,7 @@ class MonitorCycle {
   void restart_at_point() noexcept;
   void restart_watch() noexcept;
   double distance_of_published() const noexcept;
+  bool watch_holds(bool was_at_point) noexcept;
   void fuse_beyond_the_point() noexcept;
   void note_fused(estimation::SensorMask in_use) noexcept;
   void take_estimates() noexcept;
@@ -152,6 +153,7 @@ class MonitorCycle {
   double distance_ = 0.0;                ///< of the published estimator, at the present one
   bool valid_ = true;                    ///< the published estimator's model holds here
   bool at_point_ = true;                 ///< the watch filter's does
+  double inside_s_ = 0.0;                ///< for so long the conditions have been those of its point
   Verdict verdict_;                      ///< on this sample, for the next one
   EventList events_;
   CycleCounters counters_;
