@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Flies a simulation on for `seconds`, with every sample through `spoil(y, t)`, which may alter the readings and answers
-// which are good, and the estimator, and then to `told(sample, t)`; t: seconds since the call, of the sample. Errors: @throws engine_sim::FlightError if the engine does not fly.
+// Flies a simulation on for `seconds`, with every sample through `spoil(y, t)`, which may alter the readings and
+// answers which are good, and the estimator, and then to `told(sample, t)`; t: seconds since the call, of the sample.
+// Errors: @throws engine_sim::FlightError if the engine does not fly.
 
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/simulation.h"

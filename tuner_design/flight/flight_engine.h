@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// One engine of a flight study: worn, built, and flown over the two-hour mission, with the on-board estimator beside it.
-// The truth is a Simulation whose mismatch the estimator does not know; both get the same seed's engine on any number of
-// threads. A coarser step than 15 ms has less noise, so that a second brings equal information.
+// One engine of a flight study: worn, built, and flown over the two-hour mission, with the on-board estimator beside
+// it. The truth is a Simulation whose mismatch the estimator does not know; both get the same seed's engine on any
+// number of threads. A coarser step than 15 ms has less noise, so that a second brings equal information.
 // Errors: @throws engine_sim::FlightError if the engine does not fly (says when and why).
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct ChannelScore {
 };
 
 /// What the estimator said of a step, or of a biased sensor: of the one that there was, and of such as there were not.
-struct StepOutcome {
+struct Finding {
   std::optional<double> found_after_s;
   bool named = false;  ///< the right parameter, or sensor
   int false_alarms = 0;
@@ -45,7 +45,7 @@ struct FlightOutcome {
   double samples = 0, estimated = 0;
   double ssee_700 = 0, claim_700 = 0, ssee_landing = 0, claim_landing = 0;  ///< percent^2, of all health
   std::vector<ChannelScore> health;                                         ///< from take-off to landing
-  StepOutcome step, bias;
+  Finding step, bias;
   std::vector<ChannelScore> steady, slam;  ///< of auxiliary outputs: in cruise, and in the 30 s after the slams
 };
 

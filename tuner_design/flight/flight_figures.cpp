@@ -58,46 +58,35 @@ double greatest_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-/// How steps were found, named, and survived.
-void add_step_figures(const std::vector<FlightFleet>& fleets, std::vector<FlightFigure>& figures) {
-  double steps = 0.0, found = 0.0, named = 0.0, delay_s = 0.0, false_alarms = 0.0, landing = 0.0;
-  for (const FlightFleet& f : fleets) {
-    const auto found_here = static_cast<double>(f.result.steps_found);
-    steps += static_cast<double>(f.result.steps);
-    found += found_here;
-    named += static_cast<double>(f.result.steps_named);
-    delay_s += found_here * f.result.step_delay_s;
-    false_alarms = std::max(false_alarms, f.result.false_steps);
-    if (f.result.steps > 0) landing = std::max(landing, f.result.ssee_landing);
-  }
-  if (steps == 0.0) return;
-  figures.push_back({"steps of 2 %: found within a minute", found / steps, 0.95, {}});
-  figures.push_back(
-      {"steps of 2 %: of those found, the parameter named right", found > 0.0 ? named / found : 0.0, 0.90, {}});
-  figures.push_back({"steps of 2 %: mean delay, s", found > 0.0 ? delay_s / found : 0.0, {}, 10.0});
-  figures.push_back({"steps of 2 %: SSEE at landing, worse fleet", landing, {}, 5.0});
-  figures.push_back({"steps found where there was none, a flight, worst fleet", false_alarms, {}, 0.2});
-}
+/// What is asked of one kind of finding.
+struct FindingAsked {
+  Findings FleetResult::*of;
+  const char *what, *kind, *name;  ///< with its size, without, and what is named
+  double most_delay_s, most_landing;
+};
 
-/// The same of sensors.
-void add_bias_figures(const std::vector<FlightFleet>& fleets, std::vector<FlightFigure>& figures) {
-  double biases = 0.0, found = 0.0, named = 0.0, delay_s = 0.0, false_alarms = 0.0, landing = 0.0;
+/// How it was found, named, and survived.
+void add_findings(const std::vector<FlightFleet>& fleets, const FindingAsked& asked,
+                  std::vector<FlightFigure>& figures) {
+  double happened = 0.0, found = 0.0, named = 0.0, delay_s = 0.0, false_alarms = 0.0, landing = 0.0;
   for (const FlightFleet& f : fleets) {
-    const auto found_here = static_cast<double>(f.result.biases_found);
-    biases += static_cast<double>(f.result.biases);
-    found += found_here;
-    named += static_cast<double>(f.result.biases_named);
-    delay_s += found_here * f.result.bias_delay_s;
-    false_alarms = std::max(false_alarms, f.result.false_biases);
-    if (f.result.biases > 0) landing = std::max(landing, f.result.ssee_landing);
+    const Findings& here = f.result.*asked.of;
+    happened += static_cast<double>(here.happened);
+    found += static_cast<double>(here.found);
+    named += static_cast<double>(here.named);
+    delay_s += static_cast<double>(here.found) * here.delay_s;
+    false_alarms = std::max(false_alarms, here.false_alarms);
+    if (here.happened > 0) landing = std::max(landing, f.result.ssee_landing);
   }
-  if (biases == 0.0) return;
-  figures.push_back({"biases of 5 sigma: found within a minute", found / biases, 0.95, {}});
+  if (happened == 0.0) return;
+  const std::string what = std::string(asked.what) + ": ";
+  const auto of_found = [&](double sum) { return found > 0.0 ? sum / found : 0.0; };
+  figures.push_back({what + "found within a minute", found / happened, 0.95, {}});
+  figures.push_back({what + "of those found, the " + asked.name + " named right", of_found(named), 0.90, {}});
+  figures.push_back({what + "mean delay, s", of_found(delay_s), {}, asked.most_delay_s});
+  figures.push_back({what + "SSEE at landing, worse fleet", landing, {}, asked.most_landing});
   figures.push_back(
-      {"biases of 5 sigma: of those found, the sensor named right", found > 0.0 ? named / found : 0.0, 0.90, {}});
-  figures.push_back({"biases of 5 sigma: mean delay, s", found > 0.0 ? delay_s / found : 0.0, {}, 3.0});
-  figures.push_back({"biases of 5 sigma: SSEE at landing, worse fleet", landing, {}, 8.0});
-  figures.push_back({"biases found where there was none, a flight, worst fleet", false_alarms, {}, 0.2});
+      {std::string(asked.kind) + " found where there was none, a flight, worst fleet", false_alarms, {}, 0.2});
 }
 
 /// What is asked of the estimator, beside what the fleets gave.
@@ -125,8 +114,8 @@ std::vector<FlightFigure> figures_of(const std::vector<FlightFleet>& fleets) {
       {"all: worst coverage of an auxiliary output, steady", least_of(all.steady_coverage), 0.92, {}},
       {"all: best coverage of an auxiliary output, steady", greatest_of(all.steady_coverage), {}, 0.98},
       {"all: worst coverage of an auxiliary output, 30 s after a slam", least_of(all.slam_coverage), 0.90, {}}};
-  add_step_figures(fleets, figures);
-  add_bias_figures(fleets, figures);
+  add_findings(fleets, {&FleetResult::steps, "steps of 2 %", "steps", "parameter", 10.0, 5.0}, figures);
+  add_findings(fleets, {&FleetResult::biases, "biases of 5 sigma", "biases", "sensor", 3.0, 8.0}, figures);
   if (incomplete > 0)
     figures.push_back({"one or two sensors missing: pooled coverage, worst fleet", covered, 0.88, {}});
   for (const FlightFleet& f : fleets) {

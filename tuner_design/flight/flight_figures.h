@@ -39,8 +39,8 @@ struct FlightStudy {
   std::vector<std::string> health, auxiliary;  ///< names of the channels
 };
 
-/// `common`: engine, number of engines, seed, step and threads of every fleet. `scheduled`: another estimator that flies
-/// two of the fleets as well; null: none does.
+/// `common`: engine, number of engines, seed, step and threads of every fleet. `scheduled`: another estimator that
+/// flies two of the fleets as well; null: none does.
 FlightStudy run_flight_study(
     const FlightStudyOptions& common, const std::shared_ptr<const estimation::Estimator>& scheduled,
     const std::function<void(double)>& progress = [](double) {});

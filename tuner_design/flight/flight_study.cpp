@@ -29,24 +29,19 @@ void add(const std::vector<ChannelScore>& from, std::vector<ChannelScore>& to) {
   }
 }
 
-void add_step(const StepOutcome& step, bool stepped, FleetResult& r) {
-  r.false_steps += step.false_alarms;
-  if (!stepped) return;
-  ++r.steps;
-  if (!step.found_after_s) return;
-  ++r.steps_found;
-  r.steps_named += step.named;
-  r.step_delay_s += *step.found_after_s;
+void add_finding(const Finding& finding, bool happened, Findings& all) {
+  all.false_alarms += finding.false_alarms;
+  if (!happened) return;
+  ++all.happened;
+  if (!finding.found_after_s) return;
+  ++all.found;
+  all.named += finding.named;
+  all.delay_s += *finding.found_after_s;
 }
 
-void add_bias(const StepOutcome& bias, bool was_biased, FleetResult& r) {
-  r.false_biases += bias.false_alarms;
-  if (!was_biased) return;
-  ++r.biases;
-  if (!bias.found_after_s) return;
-  ++r.biases_found;
-  r.biases_named += bias.named;
-  r.bias_delay_s += *bias.found_after_s;
+void take_means(double flights, Findings& all) {
+  all.false_alarms /= flights;
+  if (all.found > 0) all.delay_s /= static_cast<double>(all.found);
 }
 
 }  // namespace
@@ -83,8 +78,8 @@ FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<voi
     r.ssee_landing += o.ssee_landing;
     r.claim_landing += o.claim_landing;
     r.worst_landing = std::max(r.worst_landing, o.ssee_landing);
-    add_step(o.step, options.draw.step.has_value(), r);
-    add_bias(o.bias, options.draw.bias.has_value(), r);
+    add_finding(o.step, options.draw.step.has_value(), r.steps);
+    add_finding(o.bias, options.draw.bias.has_value(), r.biases);
     add(o.health, health);
     add(o.steady, steady);
     add(o.slam, slam);
@@ -92,10 +87,8 @@ FleetResult fly_fleet(const FlightStudyOptions& options, const std::function<voi
   if (r.flown == 0) return r;
   const double n = static_cast<double>(r.flown);
   for (double* mean : {&r.ssee_700, &r.claim_700, &r.ssee_landing, &r.claim_landing}) *mean /= n;
-  r.false_steps /= n;
-  r.false_biases /= n;
-  if (r.biases_found > 0) r.bias_delay_s /= static_cast<double>(r.biases_found);
-  if (r.steps_found > 0) r.step_delay_s /= static_cast<double>(r.steps_found);
+  take_means(n, r.steps);
+  take_means(n, r.biases);
   r.estimated = estimated / samples;
   r.worst_health_coverage = 1.0;
   for (std::size_t i = 0; i < health.size(); ++i) {

@@ -17,18 +17,19 @@ struct FailedEngine {
   std::string why;
 };
 
+/// How something that happened in flight was found, over a fleet.
+struct Findings {
+  std::size_t happened = 0, found = 0, named = 0;  ///< engines
+  double delay_s = 0;                              ///< mean, of those found
+  double false_alarms = 0;                         ///< found where there was nothing, a flight
+};
+
 struct FleetResult {
   std::size_t flown = 0;
   std::vector<FailedEngine> failed;
   double estimated = 0.0;  ///< share of the samples
   double ssee_700 = 0, claim_700 = 0, ssee_landing = 0, claim_landing = 0, worst_landing = 0;
-  double false_steps = 0;                                   ///< found where there was none, a flight
-  std::size_t steps = 0, steps_found = 0, steps_named = 0;  ///< of engines with one
-  double step_delay_s = 0;                                  ///< mean, of those found
-  /// The same of a sensor that becomes biased.
-  double false_biases = 0;
-  std::size_t biases = 0, biases_found = 0, biases_named = 0;
-  double bias_delay_s = 0;
+  Findings steps, biases;  ///< of health, and of sensors
   double health_coverage = 0, worst_health_coverage = 0;
   std::vector<double> steady_coverage, slam_coverage;  ///< by auxiliary output
   std::vector<double> health_coverage_by_channel;

@@ -23,8 +23,8 @@ struct StepOfHealth {
   double percent;
 };
 
-/// One sensor becomes biased: by turns down the list, from engine to engine, up or down, by so many of its sigmas at 15 ms,
-/// of the present reading. Who flies the scenario does that to the readings.
+/// One sensor becomes biased: by turns down the list, from engine to engine, up or down, by so many of its sigmas at 15
+/// ms, of the present reading. Who flies the scenario does that to the readings.
 struct BiasOfSensor {
   double at_s;
   double sigmas;

@@ -19,17 +19,25 @@ void print_shares(std::ostream& out, const std::vector<std::string>& names, cons
   out << '\n';
 }
 
+nlohmann::ordered_json findings_as_json(const Findings& f) {
+  return {{"happened", f.happened},
+          {"found", f.found},
+          {"named", f.named},
+          {"delay_s", f.delay_s},
+          {"false_alarms", f.false_alarms}};
+}
+
 }  // namespace
 
 void print_flight_study(const FlightStudy& study, std::ostream& out) {
   const FlightStudyOptions& common = study.fleets.front().options;
   out << fmt::format("Flight study: fleets of {} engines {} over the two-hour mission, step {:g} s, seed {}\n\n",
                      common.engines, common.engine->data.name, common.step_s, common.draw.seed);
-  out << fmt::format("  {:<18}{:>7}{:>8}{:>11}{:>9}{:>10}{:>9}{:>8}{:>9}{:>8}\n", "truth", "flown", "with %",
+  out << fmt::format("  {:<26}{:>7}{:>8}{:>11}{:>9}{:>10}{:>9}{:>8}{:>9}{:>8}\n", "truth", "flown", "with %",
                      "SSEE 700 s", "claims", "landing", "claims", "worst", "coverage", "worst");
   for (const FlightFleet& f : study.fleets) {
     const FleetResult& r = f.result;
-    out << fmt::format("  {:<18}{:>7}{:>8.2f}{:>11.3f}{:>9.3f}{:>10.3f}{:>9.3f}{:>8.2f}{:>9.3f}{:>8.3f}\n", f.name,
+    out << fmt::format("  {:<26}{:>7}{:>8.2f}{:>11.3f}{:>9.3f}{:>10.3f}{:>9.3f}{:>8.2f}{:>9.3f}{:>8.3f}\n", f.name,
                        r.flown, 100.0 * r.estimated, r.ssee_700, r.claim_700, r.ssee_landing, r.claim_landing,
                        r.worst_landing, r.health_coverage, r.worst_health_coverage);
   }
@@ -63,11 +71,8 @@ nlohmann::ordered_json flight_study_as_json(const FlightStudy& study) {
                       {"ssee_landing", r.ssee_landing},
                       {"claim_landing", r.claim_landing},
                       {"worst_landing", r.worst_landing},
-                      {"steps", r.steps},
-                      {"steps_found", r.steps_found},
-                      {"steps_named", r.steps_named},
-                      {"step_delay_s", r.step_delay_s},
-                      {"false_steps", r.false_steps},
+                      {"steps", findings_as_json(r.steps)},
+                      {"biases", findings_as_json(r.biases)},
                       {"health_coverage", r.health_coverage},
                       {"health_coverage_by_channel", r.health_coverage_by_channel},
                       {"steady_coverage", r.steady_coverage},

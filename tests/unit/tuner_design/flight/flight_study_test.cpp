@@ -55,11 +55,23 @@ TEST(FlightStudy, AStepIsFoundNamedAndNoneIsInvented) {
   options.engines = 2;
   options.draw.step = StepOfHealth{2500.0, 2.0};
   const FleetResult r = fly_fleet(options);
-  EXPECT_EQ(r.steps, 2u);
-  EXPECT_EQ(r.steps_found, 2u);
-  EXPECT_LT(r.step_delay_s, 10.0);
-  EXPECT_EQ(r.false_steps, 0.0);
+  EXPECT_EQ(r.steps.happened, 2u);
+  EXPECT_EQ(r.steps.found, 2u);
+  EXPECT_LT(r.steps.delay_s, 10.0);
+  EXPECT_EQ(r.steps.false_alarms, 0.0);
   EXPECT_LT(r.ssee_landing, 10.0);  // a filter that is deaf to it lands with some 90
+}
+
+TEST(FlightStudy, ABiasedSensorIsFoundNamedAndNoneIsInvented) {
+  FlightStudyOptions options = small();
+  options.engines = 2;
+  options.draw.bias = BiasOfSensor{900.0, 5.0};
+  const FleetResult r = fly_fleet(options);
+  EXPECT_EQ(r.biases.happened, 2u);
+  EXPECT_EQ(r.biases.found, 2u);
+  EXPECT_EQ(r.biases.named, 2u);
+  EXPECT_EQ(r.biases.false_alarms, 0.0);
+  EXPECT_EQ(r.steps.false_alarms, 0.0) << "what is a sensor's is no step of health";
 }
 
 TEST(StartStudy, TwoHundredMissionsStartAndStayAwayFromStall) {
