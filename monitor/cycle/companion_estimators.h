@@ -62,8 +62,8 @@ class CompanionEstimators {
   }
   /// Allocates nothing if there are as many `states` already.
   void save(std::vector<CompanionState>& states) const noexcept;
-  /// Each goes on from its own among `states`, and its next prediction leads over `unseen` samples that it missed; without
-  /// one that fits it stays as it is: cold, in a new cycle. @returns whether every one goes on.
+  /// Each goes on from its own among `states`, and its next prediction leads over `unseen` samples that it missed;
+  /// without one that fits it stays as it is: cold, in a new cycle. @returns whether every one goes on.
   bool restore(const std::vector<CompanionState>& states, int unseen) noexcept;
 
   /// Who flies this sample: all of them where the watch filter holds, else those that hold in these conditions.

@@ -112,6 +112,11 @@ void FaultDetection::settle_ambiguity(bool decided, EventList& events) noexcept 
   ambiguous_.set(!over, {.kind = idl::EventKind::ambiguous_fault, .channel = ambiguous_channel_}, events);
 }
 
+void FaultDetection::leave_point(EventList& events) noexcept {
+  shift_.end(events);
+  ambiguous_.reassess(idl::EventKind::ambiguous_fault, ambiguous_channel_, events);
+}
+
 int FaultDetection::follow(const estimation::Estimate& published, SensorSupervision& supervision, CycleResult& result,
                            EventList& events) noexcept {
   const bool stepped = published.stepped >= 0;

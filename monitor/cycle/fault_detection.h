@@ -35,6 +35,8 @@ class FaultDetection {
   Verdict diagnose(const estimation::TunerEstimator& watch, bool has_design, int steps, SensorSupervision& supervision,
                    CycleResult& result, EventList& events) noexcept;
 
+  /// The engine flies on where the watch filter's model does not hold: what it has found and not settled ends.
+  void leave_point(EventList& events) noexcept;
   /// Where the watch filter's model does not hold: the step of health, or the bias of a sensor, that the published
   /// estimator has found by itself. Excludes the sensor. @returns which has been excluded now; -1: none.
   int follow(const estimation::Estimate& published, SensorSupervision& supervision, CycleResult& result,

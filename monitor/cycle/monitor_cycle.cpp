@@ -56,6 +56,7 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
     return true;
   }
   if (!at_point_) {
+    if (was_at_point) detection_.leave_point(events_);
     fuse_beyond_the_point();
     return true;
   }
@@ -67,8 +68,8 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   return true;
 }
 
-/// Who flies through the point is not at it: the metal is hot or cold from elsewhere, and the watch filter, whose model has
-/// none, would take that for a shift of health. It waits, while another estimator is there to be published.
+/// Who flies through the point is not at it: the metal is hot or cold from elsewhere, and the watch filter, whose model
+/// has none, would take that for a shift of health. It waits, while another estimator is there to be published.
 bool MonitorCycle::watch_holds(bool was_at_point) noexcept {
   if (!point_.check(watch_.distance(now_)) || !valid_) {
     inside_s_ = 0.0;
@@ -95,9 +96,7 @@ void MonitorCycle::fuse_beyond_the_point() noexcept {
                                             options_.checks.gate_sigma);
   result_.ratio = gate.ratio;
   bias_return_.look(innovation.value);
-  GateContext context;
-  context.held_back = bias_return_.sensor();
-  supervision_.gate(gate, context, result_);
+  supervision_.gate(gate, {.held_back = bias_return_.sensor()}, result_);
   supervision_.qualify(false, result_, counters_, events_);
   note_fused(supervision_.available());
   companions_.update(result_.fused, supervision_.hold());

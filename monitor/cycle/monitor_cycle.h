@@ -8,8 +8,8 @@
 //
 // The two parts may be called one by one, so that an estimate is on its way before it is judged: a fault that judging
 // finds changes the estimates from the next sample on. Each station is a file of its own; this one only leads from one
-// to the next. The watch filter is the tuner filter, whichever estimator is published. Where its model does not hold and
-// the published estimator's does, that one goes on alone and its innovations gate the readings; it names steps of
+// to the next. The watch filter is the tuner filter, whichever estimator is published. Where its model does not hold
+// and the published estimator's does, that one goes on alone and its innovations gate the readings; it names steps of
 // health and biased sensors by itself; the fleet is judged by the watch filter only.
 //
 // Knows no DDS, clock, file, thread or log. Deterministic: the same samples give the same results to the bit.
@@ -75,8 +75,8 @@ class MonitorCycle {
   /// process. Refused, nothing is changed. Real-time safe: yes.
   Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
 
-  /// The published estimator's, see estimator.h: what this flight has taught, what it begins with, and that it is over. Nothing
-  /// where that is the watch filter. Real-time safe: yes.
+  /// The published estimator's, see estimator.h: what this flight has taught, what it begins with, and that it is over.
+  /// Nothing where that is the watch filter. Real-time safe: yes.
   estimation::Learned learned() const noexcept {
     return published_ == watch_filter ? estimation::Learned{} : companions_.learned(as_size(published_));
   }

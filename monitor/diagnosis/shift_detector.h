@@ -57,6 +57,9 @@ class ShiftDetector {
   /// Starts the comparison anew, after a restart of the filter. Real-time safe: yes.
   void reset() noexcept;
 
+  /// Nobody looks at the tuners any more: what was raised ends. Real-time safe: yes.
+  void end(EventList& events) noexcept { condition_.reassess(idl::EventKind::health_shift, named_.channel, events); }
+
   bool raised() const noexcept { return condition_.raised(); }
   double threshold() const noexcept { return thresholds_[active_]; }
 

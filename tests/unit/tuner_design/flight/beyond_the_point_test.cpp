@@ -75,6 +75,7 @@ class Flown {
     bias_ = factor;
   }
   const std::vector<monitor::Event>& faults() const { return faults_; }
+  void fly(const engine_sim::FlightCondition& flight) { simulation_.fly(flight); }
   const monitor::MonitorCycle& cycle() const { return cycle_; }
   /// Events of a health shift so far.
   const std::vector<monitor::Event>& shifts() const { return shifts_; }
@@ -125,6 +126,20 @@ TEST(BeyondThePoint, AStepOfHealthIsNamedAndEndsOnceItIsLearned) {
   ASSERT_EQ(flown.shifts().size(), 2u);
   EXPECT_FALSE(flown.shifts()[1].raised);
   EXPECT_EQ(flown.cycle().result().flags & idl::estimate_flag::shifted, 0u);
+}
+
+// What the watch filter has found and not settled when the engine leaves its point would stand for ever.
+TEST(BeyondThePoint, AShiftThatWasFoundAtThePointEndsWhereNobodyLooksAtItAnyMore) {
+  constexpr double step_s = 60.0;
+  Flown flown("onboard", cruise, {{.time_s = step_s, .channel = 4, .change = -0.02}});
+  while (flown.shifts().empty() && flown.cycle().counters().received < 6000) flown.next();
+  ASSERT_EQ(flown.shifts().size(), 1u);
+  EXPECT_TRUE(flown.shifts()[0].raised);
+  flown.fly({cruise.altitude_m - 1000.0, cruise.mach, cruise.delta_isa_k});
+  for (int k = 0; k < 20; ++k) flown.next();
+  ASSERT_GE(flown.shifts().size(), 2u);
+  EXPECT_FALSE(flown.shifts()[1].raised);
+  EXPECT_EQ(flown.shifts()[1].channel, flown.shifts()[0].channel);
 }
 
 // 1.5 % of T30 is some six sigmas: the gate alone would let a part of it through.
