@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "deploy/runtime/units/units.h"
 #include "monitor/schedule/scheduled_estimator.h"
 
 namespace ehm::design {
@@ -27,10 +28,13 @@ std::vector<int> sensors_of_states(const linear_model::LinearModel& model) {
   return sensors;
 }
 
+/// By its kind; a sensor of another kind has none.
 double lag_of(const std::string& unit, const monitor::EstimatorOptions& options) {
-  if (unit == "rpm") return options.lag_speed_s;
-  if (unit == "K" || unit == "degC" || unit == "degF" || unit == "degR") return options.lag_temperature_s;
-  return options.lag_pressure_s;
+  const auto is = [&](const char* si) { return !unit.empty() && units::conversion(unit, si).has_value(); };
+  return is("rpm")  ? options.lag_speed_s
+         : is("K")  ? options.lag_temperature_s
+         : is("Pa") ? options.lag_pressure_s
+                    : 0.0;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/numbers/noise_source.h"
+#include "deploy/runtime/units/units.h"
 #include "engine_sim/control/scheduled_point.h"
 #include "engine_sim/model/solve/newton.h"
 #include "engine_sim/model/thermo/ram.h"
@@ -119,13 +120,17 @@ sim::FlightCondition flight_at(double mach, double t2_k) {
 }
 
 Similarity similarity_of(const std::string& name, const std::string& unit) {
-  if (unit == "rpm") return {0.0, 0.5};
-  if (unit == "K" || unit == "degR") return {0.0, 1.0};
-  if (unit == "Pa" || unit == "kPa" || unit == "bar" || unit == "psi" || unit == "psia") return {1.0, 0.0};
-  if (unit == "N" || unit == "kN" || unit == "lbf") return {1.0, 0.0};
-  if (unit == "W" || unit == "kW" || unit == "hp") return {1.0, 0.5};
-  if (unit == "kg/s" || unit == "kg/h" || unit == "lbm/s" || unit == "lbm/h")
-    return {1.0, name.find("fuel") != std::string::npos || name == "Wf" ? 0.5 : -0.5};
+  // A scale with an offset is none that a ratio means anything on.
+  const auto is = [&](const char* si) {
+    const auto conversion = units::conversion(unit, si);
+    return !unit.empty() && conversion && conversion->offset == 0.0;
+  };
+  if (is("rpm")) return {0.0, 0.5};
+  if (is("K")) return {0.0, 1.0};
+  if (is("Pa") || is("N")) return {1.0, 0.0};
+  if (is("W")) return {1.0, 0.5};
+  const bool fuel = name.find("fuel") != std::string::npos || name == "Wf";
+  if (is("kg/s")) return {1.0, fuel ? 0.5 : -0.5};
   return {};
 }
 

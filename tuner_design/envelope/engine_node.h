@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One node of a schedule: the nonlinear engine at a corrected fan speed, Mach number and T2, vanes and valves where its
-// control has them, with nothing taken off; its derivatives are the best fit over engines of the fleet (fleet_fit.h), and
+// control has them, with nothing taken off; its derivatives are the best fit over engines of the fleet (fleet_fit.h),
+// and
 //   lambda^2 = mean over the fleet of (f - f0 - J (v - v0))^2,   f = [dx/dt; y; z],  v = [x; u; h]
 // is what that misses, at each engine's own inputs. All reduced to sea level by the powers of the schedule.
 // Errors: none; where the engine does not run, or more than one in ten of the fleet, the node is not valid.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A schedule of point models: of an engine over its envelope, on a grid that is refined where interpolation misses most;
-// or of models that a user has at several points.
+// A schedule of point models: of an engine over its envelope, on a grid that is refined where interpolation misses
+// most; or of models that a user has at several points.
 //
 //   refine   of the axes' intervals the one whose middle misses most, root mean square over the other axes and over
 //            [x0 u0 y0 z0], relative to each quantity's size over the grid; until `most_nodes`
