@@ -5,11 +5,11 @@
 //   pace_j: 1, or drawn for one engine, N(1, 0.3), at least 0
 //   washed at W < N: compressors get back half of what they had lost since they were new, which is lost again as before
 //   parts replaced at R < N: turbines count their cycles from R
-// Source: Chatterjee & Litt's wear table; of the HPC, -2.0 and -2.5 % at 3000 cycles (Lu et al., Energies 2013, table 2, at
-// half of their 6000) and twice that at 6000, an assumption, as is the share that a washing gives back. Errors: none.
+// Source: Chatterjee & Litt's wear table; of the HPC, -2.0 and -2.5 % at 3000 cycles (Lu et al., Energies 2013, table
+// 2, at half of their 6000) and twice that at 6000, an assumption, as is the share that a washing gives back. Errors:
+// none.
 
 #include <cstdint>
-#include <optional>
 
 #include "engine_sim/model/gas_path.h"
 

@@ -23,6 +23,9 @@ void LifeKeys::declare(config::Schema& schema) {
 }
 
 void LifeKeys::finish(Scenario& scenario) const {
+  if (cycles_ < 0 && (washed_at_ != 0 || replaced_at_ != 0 || seed_ != 0))
+    throw config::ConfigError(
+        "'life.washed_at', 'life.replaced_at' and 'life.seed' go with 'life.cycles', which is not given");
   if (cycles_ < 0) return;
   for (const auto& [key, at] : {std::pair{"life.washed_at", washed_at_}, {"life.replaced_at", replaced_at_}})
     if (at > cycles_)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The configuration keys [life]: an engine that has flown so many cycles, with its maintenance; its wear is added to what
-// [[wear]] tables say.
+// The configuration keys [life]: an engine that has flown so many cycles, with its maintenance; its wear is added to
+// what [[wear]] tables say.
 
 #include <cstdint>
 
@@ -14,7 +14,7 @@ class LifeKeys {
  public:
   /// Declares the keys; this must outlive the schema's use.
   void declare(config::Schema& schema);
-  /// After the load. @throws config::ConfigError if maintenance lies behind the present cycle.
+  /// After the load. @throws config::ConfigError if maintenance lies behind the present cycle, or there is none.
   void finish(Scenario& scenario) const;
 
  private:

@@ -17,7 +17,8 @@ class MissionKeys {
   /// Declares the keys; this must outlive the schema's use.
   void declare(config::Schema& schema);
   /// After the load; without a mission nothing is changed.
-  /// @throws config::ConfigError if a profile or another demand is given besides; files::FileError as recorded_mission()
+  /// @throws config::ConfigError if a profile or another demand is given besides; files::FileError as
+  /// recorded_mission()
   void finish(const std::vector<std::string>& given, Scenario& scenario) const;
 
  private:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "deploy/runtime/files/csv_table.h"
 #include "deploy/runtime/files/file_error.h"
@@ -20,7 +19,8 @@ using files::CsvRow;
 using files::CsvTable;
 
 constexpr double metre_per_foot = 0.3048, m_s_per_knot = 1852.0 / 3600.0, kg_s_per_kg_h = 1.0 / 3600.0;
-constexpr double point_s = 5.0, highest_mach = 0.9, take_off = 1.02;
+constexpr double point_s = 5.0, highest_mach = 0.9, taxi = 0.45, take_off = 1.02;
+constexpr double full_bleed_mach = 0.5;  ///< below, the aircraft takes less air, none at rest
 
 struct Column {
   const char* name;
@@ -71,20 +71,20 @@ struct Moment {
 /// Reduced fuel flow of an engine over corrected fan speed, at several Mach numbers.
 class FuelLine {
  public:
-  FuelLine(const EngineDefinition& engine, double design_n1) : design_n1_(design_n1) {
+  FuelLine(const EngineDefinition& engine, double design_n1_corrected_rpm) {
     const Turbofan turbofan(engine.data);
     for (std::size_t m = 0; m < machs.size(); ++m)
       for (const double share : shares) {
         const FlightCondition flight{machs[m] < 0.1 ? 0.0 : 5000.0, machs[m], 0.0};
         const RamRatios ram = ram_ratios(flight.altitude_m, flight.mach, flight.delta_isa_k);
-        const double n1_rpm = share * design_n1 * root_theta(engine.data.inlet, flight);
+        const double n1_rpm = share * design_n1_corrected_rpm * root_theta(engine.data.inlet, flight);
         const SteadyPoint point =
             solve_scheduled(turbofan, engine.control, {flight, {}, {}}, {DemandKind::n1_rpm, n1_rpm});
         reduced_[m].push_back(point.gas.fuel_flow_kg_s / (ram.delta * std::sqrt(ram.theta)));
       }
   }
   double take_off_flow() const { return reduced_.front().back(); }
-  /// Share of the design's corrected fan speed; 0, which is idle, below the line.
+  /// Share of the design point's corrected fan speed; taxi or take-off beyond the ends of the line.
   double share_at(double reduced_flow, double mach) const {
     const double at = std::clamp(mach, machs.front(), machs.back());
     const std::size_t m = at < machs[1] ? 0 : 1;
@@ -103,12 +103,14 @@ class FuelLine {
   }
 
   static constexpr std::array machs{0.0, 0.4, 0.8};
-  static constexpr std::array shares{0.45, 0.55, 0.65, 0.75, 0.85, 0.92, take_off};
-  double design_n1_;
+  static constexpr std::array shares{taxi, 0.55, 0.65, 0.75, 0.85, 0.92, take_off};
   std::array<std::vector<double>, machs.size()> reduced_;
 };
 
 void require_flown(const CsvTable& table, const CsvRow& row, const Moment& m) {
+  if (m.power < 0.0)
+    throw files::FileError(table.place(row) + ": fan speed or fuel flow is " + files::shortest(m.power) +
+                           ", allowed is 0 or more");
   if (!covers_altitude(m.altitude_m) || !covers_offset(m.delta_isa_k) || !(m.mach >= 0.0 && m.mach <= highest_mach))
     throw files::FileError(table.place(row) + ": altitude " + files::shortest(m.altitude_m) + " m, Mach " +
                            files::shortest(m.mach) + ", ISA " + files::shortest(m.delta_isa_k) +
@@ -141,7 +143,7 @@ std::vector<Moment> moments_of(const CsvTable& table, const MissionOptions& opti
   return moments;
 }
 
-/// Means of what lies within each five seconds, at their middle; the first and the last moment as they are.
+/// Means of what lies within each five seconds, at their middle; the first moment as it is.
 std::vector<Moment> thinned(const std::vector<Moment>& all) {
   std::vector<Moment> points{all.front()};
   for (std::size_t i = 1; i < all.size();) {
@@ -164,9 +166,9 @@ std::vector<ProfilePoint> recorded_mission(const std::string& file, const Engine
   bool by_fuel = false;
   std::vector<Moment> points = thinned(moments_of(table, options, by_fuel));
   const DesignPoint& design = engine.data.design;
-  const double design_n1 = design.speeds.n1_rpm / root_theta(engine.data.inlet, design.flight);
+  const double design_n1_corrected_rpm = design.speeds.n1_rpm / root_theta(engine.data.inlet, design.flight);
   if (by_fuel) {
-    const FuelLine line(engine, design_n1);
+    const FuelLine line(engine, design_n1_corrected_rpm);
     double greatest = 0.0;
     for (Moment& m : points) {
       const RamRatios ram = ram_ratios(m.altitude_m, m.mach, m.delta_isa_k);
@@ -175,7 +177,7 @@ std::vector<ProfilePoint> recorded_mission(const std::string& file, const Engine
     }
     if (!(greatest > 0.0)) throw files::FileError(file + ": no fuel is burnt in it");
     for (Moment& m : points)
-      m.power = line.share_at(m.power / greatest * line.take_off_flow(), m.mach) * options.power * design_n1 *
+      m.power = line.share_at(m.power / greatest * line.take_off_flow(), m.mach) * design_n1_corrected_rpm *
                 root_theta(engine.data.inlet, {m.altitude_m, m.mach, m.delta_isa_k});
   }
   std::vector<ProfilePoint> profile;
@@ -184,8 +186,8 @@ std::vector<ProfilePoint> recorded_mission(const std::string& file, const Engine
   for (const Moment& m : points)
     profile.push_back({options.time_scale * (m.time_s - start_s),
                        {m.altitude_m, m.mach, m.delta_isa_k},
-                       {DemandKind::n1_rpm, m.power},
-                       {taken.customer_bleed_kg_s * std::min(1.0, m.mach / 0.5), taken.power_w}});
+                       {DemandKind::n1_rpm, options.power * m.power},
+                       {taken.customer_bleed_kg_s * std::min(1.0, m.mach / full_bleed_mach), taken.power_w}});
   return profile;
 }
 

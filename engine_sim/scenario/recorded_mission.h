@@ -8,11 +8,12 @@
 //   n1_rpm | fuel_flow_kg_s | fuel_flow_kg_h
 //   delta_isa_k                                            0 where there is none
 //
-// A fuel flow may be of any engine, or of several: what counts is its share. Reduced by delta sqrt(theta), its greatest is
-// this engine's take-off, and each other share is flown at the fan speed at which this engine burns it; nothing
-// burnt is taxi. Points five seconds apart, means of what lies between.
-// Errors: @throws files::FileError (file, line, column, allowed) for a table that is none, lacks a column, or leaves the
-// atmosphere; SolveError if the engine does not run on the ground.
+// A fuel flow may be of any engine, or of several: what counts is its share. Reduced by delta sqrt(theta), its greatest
+// is this engine's take-off, and each other share is flown at the fan speed at which this engine burns it; nothing
+// burnt is taxi. Points five seconds apart, means of what lies between. Of the options power multiplies all fan speeds,
+// and offtake 1 kg/s of bleed (less below Mach 0.5) and 80 kW.
+// Errors: @throws files::FileError (file, line, column, allowed) for a table that is none, lacks a column, or leaves
+// the atmosphere; SolveError if the engine does not run on the ground.
 
 #include <string>
 #include <vector>

@@ -240,13 +240,17 @@ void check_health_sum(const Scenario& s, const Names& names) {
   std::stable_sort(changes.begin(), changes.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
   std::vector<double> health;
   for (const Wear& wear : s.wear) health.push_back(wear.initial);
+  const auto require_in_range = [&](const char* what, std::size_t channel, double time_s) {
+    const double least = health_min * names.health_unit[channel], most = health_max * names.health_unit[channel];
+    if (!(health[channel] >= least && health[channel] <= most))
+      throw ConfigError(std::string(what) + names.health[channel] + " to " + config::number_text(health[channel]) +
+                        " at " + config::number_text(time_s) + " s, allowed is " + config::number_text(least) + " to " +
+                        config::number_text(most));
+  };
+  for (std::size_t i = 0; i < names.health.size(); ++i) require_in_range("'wear' and 'life' bring ", i, 0.0);
   for (const auto& c : changes) {
     health[c.channel] += c.change;
-    const double least = health_min * names.health_unit[c.channel], most = health_max * names.health_unit[c.channel];
-    if (!(health[c.channel] >= least && health[c.channel] <= most))
-      throw ConfigError("'health_change' brings " + names.health[c.channel] + " to " +
-                        config::number_text(health[c.channel]) + " at " + config::number_text(c.time_s) +
-                        " s, allowed is " + config::number_text(least) + " to " + config::number_text(most));
+    require_in_range("'health_change' brings ", c.channel, c.time_s);
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Standard-day ratios of the total conditions in front of an engine, with a perfect gas and without inlet loss, for what
-// is only scaled by them (corrected speed, similarity) and need not be the engine's own:
+// Standard-day ratios of the total conditions in front of an engine, with a perfect gas and without inlet loss, for
+// what is only scaled by them (corrected speed, similarity) and need not be the engine's own:
 //   T2 = T0 (1 + 0.2 M^2),  P2 = p0 (1 + 0.2 M^2)^3.5;   theta = T2/288.15 K,  delta = P2/101325 Pa
-// Errors: none; not a number where the atmosphere is not known, or for a word that is none. Source: Walsh & Fletcher, ch. 4.
+// Errors: none; not a number where the atmosphere is not known, or for a word that is none. Source: Walsh & Fletcher,
+// ch. 4.
 
 #include <cmath>
 #include <limits>

@@ -57,6 +57,24 @@ TEST_F(EngineKeysTest, TablesSpeakOfItsChannels) {
   EXPECT_THAT(error(fault), HasSubstr("Nf, Nc, P24, T24, Ps30, T30, T48"));
 }
 
+// The table of life.h: LPC flow -1.01 % new and -2.08 % after 3000 flights, a washing gives back half of the difference.
+TEST_F(EngineKeysTest, ALifeAddsToTheWearThatIsStated) {
+  const std::string wear = "[[wear]]\nparameter = \"lpc_flow\"\ninitial = -0.01\n";
+  EXPECT_NEAR(load("[life]\ncycles = 3000\n" + wear).wear[engine_sim::lpc_flow].initial, -0.0308, 1e-12);
+  EXPECT_NEAR(load("[life]\ncycles = 3000\nwashed_at = 3000\n").wear[engine_sim::lpc_flow].initial, -0.01545, 1e-12);
+  EXPECT_EQ(load("").wear[engine_sim::lpc_flow].initial, 0.0);
+  EXPECT_THAT(error("[life]\ncycles = 100\nwashed_at = 200\n"), HasSubstr("allowed is up to life.cycles, 100"));
+  EXPECT_THAT(error("[life]\nwashed_at = 200\n"), HasSubstr("go with 'life.cycles'"));
+  EXPECT_THAT(error("[life]\ncycles = 6000\n[[wear]]\nparameter = \"hpc_flow\"\ninitial = -0.28\n"),
+              HasSubstr("'wear' and 'life' bring hpc_flow to -0.33"));
+}
+
+TEST_F(EngineKeysTest, AMissionIsOneThing) {
+  EXPECT_THAT(error("[mission]\nname = \"two_hours\"\nfile = \"f.csv\"\n"),
+              testing::AllOf(HasSubstr("'mission.file' is 'f.csv'"), HasSubstr("leave one of the two out")));
+  EXPECT_NEAR(load("[mission]\nname = \"two_hours\"\ntime_scale = 0.1\n").duration_s, 720.0, 1e-9);
+}
+
 TEST_F(EngineKeysTest, AFileIsReadAndItsDefectsAreTold) {
   const std::string file = folder_.file("mine.json", engine_sim::engine_text(engine_sim::jt9d_engine()));
   const engine_sim::Scenario s = load("[engine]\nmodel = \"" + file + "\"\n");

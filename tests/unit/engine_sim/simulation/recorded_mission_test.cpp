@@ -81,6 +81,7 @@ TEST_F(RecordedMission, WhatIsWrongIsNamed) {
               testing::AllOf(HasSubstr("flight.csv:3"), HasSubstr("Mach 1.4")));
   EXPECT_THAT(refusal("time_s,altitude_m,mach,n1_rpm\n0,0,0,idle\n"),
               HasSubstr("n1_rpm is 'idle', allowed is a number"));
+  EXPECT_THAT(refusal("time_s,altitude_m,mach,n1_rpm\n0,0,0,-5\n"), HasSubstr("is -5, allowed is 0 or more"));
   EXPECT_THAT(refusal("time_s,altitude_m,mach,fuel_flow_kg_h\n0,0,0,0\n5,0,0,0\n"), HasSubstr("no fuel is burnt"));
 }
 
