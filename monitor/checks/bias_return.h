@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// When a sensor that was left out for a bias beyond the point may come back: its innovation, that of a filter which goes
-// on without it, must have a mean of less than half the least bias that is found.
+// When a sensor that was left out for a bias beyond the point may come back: its innovation, that of a filter which
+// goes on without it, must have a mean of less than half the least bias that is found.
 //   v <- v + g (innovation - v),  g = 1/mean_samples;      back where |v| < least/2 for mean_samples
 // Real-time safe: yes. Errors: none; a value that is no number says nothing.
 

@@ -14,11 +14,12 @@ struct Estimate {
   TunerVector tuners;  ///< q, percent of health; of length 0 where the estimator has none
   SensorMask sensors;  ///< that it uses at present
   bool holds = true;   ///< false: the estimator had no answer to this sample, and what stands here is older
-  /// The health parameter that has most likely stepped and is being learned anew, how much of it was seen when it was found, and the
-  /// least that would have been seen; channel units. -1: none has.
+  /// The health parameter that has most likely stepped and is being learned anew, how much of it was seen when it was
+  /// found, and the least that would have been seen; channel units. -1: none has.
   int stepped = -1;
   double step = 0.0, least_step = 0.0;
-  /// The sensor that has most likely become biased, by how much, and the least that would have been seen; its unit. -1: none.
+  /// The sensor that has most likely become biased, by how much, and the least that would have been seen; its unit.
+  /// -1: none.
   int biased = -1;
   double bias = 0.0, least_bias = 0.0;
   bool settled = false;  ///< what it did not know at its start has faded to a thousandth

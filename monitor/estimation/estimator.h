@@ -33,8 +33,8 @@ struct Innovation {
   SensorVector value, variance;
 };
 
-/// The least and the greatest reading of each sensor wherever an estimator holds, sensor units; of length 0: those at its
-/// point, the trims.
+/// The least and the greatest reading of each sensor wherever an estimator holds, sensor units; of length 0: those at
+/// its point, the trims.
 struct SensorSpan {
   SensorVector least, greatest;
 };
@@ -75,8 +75,8 @@ class Estimator {
     static_cast<void>(wear_percent);
     return false;
   }
-  /// A flight is over: it goes on, and what may be otherwise in the next one becomes less certain, health by wear of that
-  /// standard deviation. A cold start from now on begins with what the flight has taught.
+  /// A flight is over: it goes on, and what may be otherwise in the next one becomes less certain, health by wear of
+  /// that standard deviation. A cold start from now on begins with what the flight has taught.
   virtual void next_flight(double wear_percent) noexcept { static_cast<void>(wear_percent); }
 
   /// What healthy sensors read where it holds.

@@ -32,7 +32,7 @@ bool FlightLog::follow(const MonitorCycle& cycle, const FanSpeed& fan) noexcept 
   if (change == FlightChange::rejected) {
     --flights_;
     const auto on_ground_s = present_.phase_s;
-    clear();
+    present_ = {};
     present_.phase_s = on_ground_s;
   }
   if (change != FlightChange::landed) {
@@ -41,7 +41,7 @@ bool FlightLog::follow(const MonitorCycle& cycle, const FanSpeed& fan) noexcept 
   }
   present_.landing_ns = sample.source_time_ns;
   finished_ = present_;
-  clear();
+  present_ = {};
   return true;
 }
 
@@ -76,10 +76,6 @@ void FlightLog::note_extremes(const CycleResult& result, const Sample& sample) n
   }
   present_.auxiliary_least = present_.auxiliary_least.cwiseMin(z);
   present_.auxiliary_greatest = present_.auxiliary_greatest.cwiseMax(z);
-}
-
-void FlightLog::clear() noexcept {
-  present_ = {};
 }
 
 }  // namespace ehm::monitor

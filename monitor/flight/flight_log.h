@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What is noted of one engine's flight, sample after sample, for its summary at landing: time in each phase, extremes of
-// readings and estimates, what was raised. Taxi out counts to the flight that follows, taxi in to the next one.
+// What is noted of one engine's flight, sample after sample, for its summary at landing: time in each phase, extremes
+// of readings and estimates, what was raised. Taxi out counts to the flight that follows, taxi in to the next one.
 // Real-time safe: yes. Errors: none.
 
 #include <array>
@@ -41,7 +41,6 @@ class FlightLog {
  private:
   void note(const MonitorCycle& cycle, double dt_s) noexcept;
   void note_extremes(const CycleResult& result, const Sample& sample) noexcept;
-  void clear() noexcept;
 
   FlightPath path_;
   FlightTotals present_, finished_;

@@ -3,8 +3,8 @@
 // What is known of one engine from its flights: what its build was found to be in the first of them, which its wear is
 // counted from, and what the latest has taught, which the next one starts from.
 //
-// As a file: JSON, schema "ehm-baseline/1", numbers in shortest exact form, names of what is known, and the SHA-256 of the
-// content. Anyone may read it; nobody should edit it.
+// As a file: JSON, schema "ehm-baseline/1", numbers in shortest exact form, names of what is known, and the SHA-256 of
+// the content. Anyone may read it; nobody should edit it.
 
 #include <cstdint>
 #include <string>

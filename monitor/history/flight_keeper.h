@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Sums up flights on a thread of its own: margins by the engine model, the engine's baseline and history in their folder,
-// and the summary for whoever publishes it. The cycle thread hands over a plain copy at landing through a bounded queue;
-// what finds no room is handed over at a later turn.
+// Sums up flights on a thread of its own: margins by the engine model, the engine's baseline and history in their
+// folder, and the summary for whoever publishes it. The cycle thread hands over a plain copy at landing through a
+// bounded queue; what finds no room is handed over at a later turn.
 //
 // Before an engine's first sample its filter is started from what its last flight has taught. A disk that refuses costs
 // the files only: an event tells when that begins and ends, and what a later flight adds does not hold what was missed.
 //
-// Not taken: a baseline of another engine type or estimator, or a damaged one; an event says which file and why, and it is
-// kept beside the next one as NAME.refused. After
+// Not taken: a baseline of another engine type or estimator, or a damaged one; an event says which file and why, and it
+// is kept beside the next one as NAME.refused. After
 // a washing the health is less certain by `wash_percent`; after a replacement of parts the engine is as unknown as any.
 
 #include <array>
@@ -51,8 +51,8 @@ class FlightKeeper {
 
   /// Before an engine's first sample. Whether it starts from a baseline. Real-time safe: yes.
   bool begin(EngineSlot& slot) noexcept;
-  /// After each sample in order, before its events are cleared: at a landing the engine's next flight begins, and this one is handed over. Real-time
-  /// safe: yes.
+  /// After each sample in order, before its events are cleared: at a landing the engine's next flight begins, and this
+  /// one is handed over. Real-time safe: yes.
   void follow(EngineSlot& slot) noexcept;
   /// Hands over what found no room before. Real-time safe: yes.
   void hand_over(EngineSlot& slot) noexcept;

@@ -13,9 +13,10 @@
 // metal wrong; it fades with tau. A start in flight, after the model had no answer, keeps the metal. The bias d is
 // path-driven: it forgets as the engine moves,  rho = exp(-sqrt((dN1c/l_N)^2 + (dM/l_M)^2)),  and not with time.
 // Where a step of health is found (step_watch.h), P opens by  p_j Ph_jj  and  p_i step_bias_percent^2: constants are
-// learned anew, each as far as it may have been the one. Below least_n1 the readings say little of health: only the speeds are followed. A sensor that is missing is left
-// out; there is no design for that. Where the engine model has no answer for a second, the filter starts cold.
-// Source: theory.md, section 13. Errors: none after construction. Real-time safe: yes, all but construction.
+// learned anew, each as far as it may have been the one. Below least_n1 the readings say little of health: only the
+// speeds are followed. A sensor that is missing is left out; there is no design for that. Where the engine model has no
+// answer for a second, the filter starts cold. Source: theory.md, section 13. Errors: none after construction.
+// Real-time safe: yes, all but construction.
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The point model of a schedule at the engine's present place: weights of the surrounding nodes, one sum over their
-// numbers, scaled to the present theta and delta. Errors: none; outside the grid the nearest edge answers, and where the
-// nodes around are mostly not valid there is no answer. Real-time safe: yes, all but construction.
+// numbers, scaled to the present theta and delta. Errors: none; outside the grid the nearest edge answers, and where
+// the nodes around are mostly not valid there is no answer. Real-time safe: yes, all but construction.
 
 #include <array>
 
@@ -42,7 +42,8 @@ class PointLookup {
   bool at(const Place& place, PointModel& model) const noexcept;
   /// How far outside the grid, in cells at its edge; 0 within.
   double outside(const Place& place) const noexcept;
-  /// The corrected fan speed at which the table's engine has this reading of actuator `u` (its fuel flow), by the nodes.
+  /// The corrected fan speed at which the table's engine has this reading of actuator `u` (its fuel flow), by the
+  /// nodes.
   double n1_of_actuator(Eigen::Index u, double value, Place place) const noexcept;
 
  private:

@@ -2,15 +2,16 @@
 #pragma once
 // Linear point models of one engine over its envelope, as a table: nodes on a grid of one to three of
 //   n1_corrected_rpm  N1/sqrt(theta)      mach      t2_k  288.15 theta      altitude_m
-// Each node holds the engine's steady point there and its derivatives, all reduced to sea level by similarity: a channel
-// reads  delta^a theta^b  times what the table says of it, a and b by its unit (scheduled_channels.h), and time runs
+// Each node holds the engine's steady point there and its derivatives, all reduced to sea level by similarity: a
+// channel
+// reads  delta^a theta^b  times what the table says of it, a and b by its unit (tuner_design/envelope/engine_node.h), and time runs
 // sqrt(theta)/delta times as long. A user's own models may stand there as they are (reduced = false).
 //   dx/dt = A (x - x0) + B (u - u0) + L h
 //   y = y0 + C (x - x0) + D (u - u0) + M h        z = z0 + F (x - x0) + G (u - u0) + N h
 // n states, m sensors, p health parameters, r auxiliary outputs, nu actuators; health in percent, all else in channel
 // units. lambda: root mean square of what the node's model misses of the fleet's engines in [dx/dt; y; z].
-// Between nodes everything is linear in each variable; a node where the engine does not run is left out (valid = false).
-// Errors: none here; @throws std::invalid_argument from whoever makes one of nodes that fill no grid.
+// Between nodes everything is linear in each variable; a node where the engine does not run is left out (valid =
+// false). Errors: none here; @throws std::invalid_argument from whoever makes one of nodes that fill no grid.
 // Source: Simon & Garg, NASA/TM-2010-216077 for the point model; similarity: Walsh & Fletcher, chapter 4.
 
 #include <Eigen/Core>

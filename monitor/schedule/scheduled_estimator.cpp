@@ -84,7 +84,6 @@ double ScheduledEstimator::distance(const Conditions& conditions) const noexcept
   Place place = place_of(conditions.flight);
   if (!std::isfinite(place.theta)) return std::numeric_limits<double>::infinity();
   // Before the first sample nobody knows the speed; it is found, or the estimate says that it does not hold.
-  if (!begun_) place.n1_corrected_rpm = model_->lookup.schedule().axes.front().points.front();
   for (const Axis& axis : model_->lookup.schedule().axes)
     if (!begun_ && axis.variable == Variable::n1_corrected) place.n1_corrected_rpm = axis.points.front();
   return model_->lookup.outside(place) / cells_beyond;

@@ -9,11 +9,12 @@
 //   xi = [x; h; d_x; d]:  P <- Phi P Phi' + Q;  readings one by one,  r_i = sigma_i^2 + (a tr Ph/tr Ph(fleet))^2
 //                                                                    + (gamma_i eta)^2 (1 + 2 tau/dt)
 //
-// h is constant. The biases d_x and d are path-driven: what a node misses of an engine is another miss elsewhere, so it forgets as
+// h is constant. The biases d_x and d are path-driven: what a node misses of an engine is another miss elsewhere, so it
+// forgets as
 // the engine moves,  rho = exp(-sqrt((dN1c/l_N)^2 + (dM/l_M)^2)),  P_dd += (1 - rho^2) diag((factor lambda)^2),  and not
-// with time. eta = ln N1c - lag(ln N1c, tau = 25 s): the table's metal is in balance, the engine's is not. A sensor that
-// is missing is left out; there is no design for that. Health is not opened after a step (a constant is deaf to it).
-// Units: x, y, z in percent of the design's trims (scaling.h), h in percent. Source: theory.md, section 14.
+// with time. eta = ln N1c - lag(ln N1c, tau = 25 s): the table's metal is in balance, the engine's is not. A sensor
+// that is missing is left out; there is no design for that. Health is not opened after a step (a constant is deaf to
+// it). Units: x, y, z in percent of the design's trims (scaling.h), h in percent. Source: theory.md, section 14.
 // Errors: none after construction. Real-time safe: yes, all but construction.
 
 #include <memory>

@@ -110,8 +110,8 @@ struct Parting {
   bool stop() const { return held_up_s == 0.0 && !new_identity; }
 };
 
-/// Takes part in DDS with all that hangs on a participant, from `entered` on until it is to end, or has to be made anew.
-/// `engines` is the table that flies, before and after.
+/// Takes part in DDS with all that hangs on a participant, from `entered` on until it is to end, or has to be made
+/// anew. `engines` is the table that flies, before and after.
 Parting take_part(const MonitorConfig& config, EngineTable*& engines, Shared& shared, const CycleLinks& links,
                   const service::StopSignal& stop, const std::function<void(const RealtimeThread&)>& entered) {
   shared.identity_changed = false;

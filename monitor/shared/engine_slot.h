@@ -32,7 +32,7 @@ struct EngineTally {
   CycleCounters status_counters;  ///< at that status, to tell what is new
   ResetThrottle resets;
   FlightLog flights;
-  bool landing_due = false;         ///< the latest flight has not been handed over yet
+  bool landing_due = false;  ///< the latest flight has not been handed over yet
 };
 
 struct EngineSlot : EngineTally {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of the on-board estimator, and with a design of tuner_design envelope of the scheduled one, for one sample (predict, innovate, update), over taxi, take-off and the first part of
-// the climb of a perturbed engine at 15 ms, beside the simulator's own step for the same sample.
+// Time of the on-board estimator, and with a design of tuner_design envelope of the scheduled one, for one sample
+// (predict, innovate, update), over taxi, take-off and the first part of the climb of a perturbed engine at 15 ms,
+// beside the simulator's own step for the same sample.
 // Usage: on_board_estimator_bench [REPETITIONS [DESIGN]]     (default 5)
 // Prints median, 99 % and 99.9 % over the samples in microseconds, of each sample the least over the repetitions, which
 // do the same work to the bit, so that what the operating system interposed is left out.

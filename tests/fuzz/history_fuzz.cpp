@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is kept of an engine from flight to flight: a baseline, or a line of its history, is refused with a FileError, or
-// plain data that a filter may start from, and that is read again as it is written.
+// What is kept of an engine from flight to flight: a baseline, or a line of its history, is refused with a FileError,
+// or plain data that a filter may start from, and that is read again as it is written.
 
 #include <string>
 

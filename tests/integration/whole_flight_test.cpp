@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole flight on DDS: the on-board estimator gives estimates from taxi to taxi of an engine that is not built as its
-// file says, where the cruise design of the same monitor holds in a part of the cruise only.
+// The whole flight on DDS: the on-board estimator gives estimates from taxi to taxi of an engine that is not built as
+// its file says, where the cruise design of the same monitor holds in a part of the cruise only.
 
 #include <gmock/gmock.h>
 

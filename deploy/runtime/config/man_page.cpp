@@ -11,8 +11,8 @@ namespace ehm::config {
 
 namespace {
 
-/// Text as roff: a backslash is none of its commands, a minus stays one, and a line that starts like a request is text. A
-/// list without blanks, as that of an option's values, may break behind each comma.
+/// Text as roff: a backslash is none of its commands, a minus stays one, and a line that starts like a request is text.
+/// A list without blanks, as that of an option's values, may break behind each comma.
 std::string roff(const std::string& text) {
   std::string out;
   bool line_start = true;

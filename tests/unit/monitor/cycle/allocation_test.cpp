@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data path allocates nothing after start, and an engine is no larger than stated: every operator new of the process
-// is counted.
+// The data path allocates nothing after start, and an engine is no larger than stated: every operator new of the
+// process is counted.
 
 #include <gtest/gtest.h>
 
@@ -98,8 +98,8 @@ TEST(Allocation, NoneWhenACycleBecomesAsItWas) {
   EXPECT_EQ(used.counters().received, 200u);
 }
 
-// A fleet's memory is that of its engines: what one more of a design that is loaded already takes, with its latencies and
-// counters. 7 sensors, 10 health parameters, 7 tuners; the shift detector's window is a fourth of it.
+// A fleet's memory is that of its engines: what one more of a design that is loaded already takes, with its latencies
+// and counters. 7 sensors, 10 health parameters, 7 tuners; the shift detector's window is a fourth of it.
 TEST(Memory, OneMoreEngineOfALoadedDesignTakes60kBAtMost) {
   const monitor::CycleOptions options;
   const monitor::PreparedDesign prepared(test::made_up_design(), options);

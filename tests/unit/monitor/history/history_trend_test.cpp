@@ -35,7 +35,8 @@ TEST(MarginTrend, ALineIsFoundAndLeadsToItsLimit) {
   EXPECT_NEAR(trend.left.value(), 60.0, 1e-6);
 }
 
-// Scatter of +-1 K in turn about -0.1 K a flight, 100 flights: sigma_b = sqrt(s^2/sum x^2), s^2 = 1.02, sum x^2 = 83325.
+// Scatter of +-1 K in turn about -0.1 K a flight, 100 flights: sigma_b = sqrt(s^2/sum x^2), s^2 = 1.02, sum x^2 =
+// 83325.
 TEST(MarginTrend, ScatterWidensTheRange) {
   std::vector<HistoryEntry> entries;
   for (std::uint32_t n = 1; n <= 100; ++n) entries.push_back(flight(n, 40.0 - 0.1 * n + (n % 2 == 0 ? 1.0 : -1.0)));

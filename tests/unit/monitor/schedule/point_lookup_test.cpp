@@ -26,8 +26,8 @@ TEST(PointLookup, IsExactWhereTheTableIsStraight) {
   }
 }
 
-// By hand: theta 0.81, delta 0.25. A speed by 0.9, a temperature by 0.81, a fuel flow by 0.25 0.9, thrust by 0.25; time by
-// delta/sqrt(theta) = 0.277778: A as it is times that, dT/dN by 0.81/0.9.
+// By hand: theta 0.81, delta 0.25. A speed by 0.9, a temperature by 0.81, a fuel flow by 0.25 0.9, thrust by 0.25; time
+// by delta/sqrt(theta) = 0.277778: A as it is times that, dT/dN by 0.81/0.9.
 TEST(PointLookup, ScalesBySimilarity) {
   const PointLookup lookup(test::small_schedule());
   PointModel model;

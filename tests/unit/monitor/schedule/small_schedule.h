@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A schedule by hand: one speed, two readings (the speed, a temperature that rises with speed and with one of two health
-// parameters), one output; everything straight in corrected speed and Mach number, so that interpolation is exact.
+// A schedule by hand: one speed, two readings (the speed, a temperature that rises with speed and with one of two
+// health parameters), one output; everything straight in corrected speed and Mach number, so that interpolation is
+// exact.
 
 #include "monitor/schedule/point_lookup.h"
 
