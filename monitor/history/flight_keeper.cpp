@@ -12,7 +12,6 @@
 #include "monitor/checkpoint/checkpoint_folder.h"
 #include "monitor/design/make_estimator.h"
 #include "monitor/design/make_on_board.h"
-#include "monitor/history/history_folder.h"
 #include "monitor/history/sum_flight.h"
 
 namespace ehm::monitor {
@@ -74,11 +73,13 @@ void FlightKeeper::load(const EngineTable& engines) {
   try {
     require_writable_folder(options_.directory, "history.directory");
     for (const std::uint32_t id : engines_in(options_.directory)) {
+      const FlightHistory history = readable_history(id);
+      known_.push_back({id, last_flight(history), {}});
       try {
-        load_engine(engines, id);
+        load_baseline(engines, history, known_.back());
       } catch (const files::FileError& error) {
         refused_.insert(id);
-        notices_.post({.kind = idl::EventKind::flight_history, .raised = true, .text = error.what(), .engine_id = id});
+        say(id, true, error.what());
       }
     }
   } catch (const files::FileError& error) {
@@ -86,12 +87,21 @@ void FlightKeeper::load(const EngineTable& engines) {
   }
 }
 
-void FlightKeeper::load_engine(const EngineTable& engines, std::uint32_t engine_id) {
-  const FlightHistory history = read_history(options_.directory, engine_id);
-  known_.push_back({engine_id, last_flight(history), {}});
+/// Without what cannot be read of it; flights are added behind all the same.
+FlightHistory FlightKeeper::readable_history(std::uint32_t engine_id) {
+  try {
+    return read_history(options_.directory, engine_id);
+  } catch (const files::FileError& error) {
+    say(engine_id, true, error.what());
+    return {};
+  }
+}
+
+void FlightKeeper::load_baseline(const EngineTable& engines, const FlightHistory& history, Known& known) {
+  const std::uint32_t engine_id = known.engine_id;
   const auto baseline = read_baseline(options_.directory, engine_id);
   if (!baseline) return;
-  known_.back().flights = std::max(known_.back().flights, baseline->flights);
+  known.flights = std::max(known.flights, baseline->flights);
   const design::Design* design = engines.design_of(engine_id);
   if (!design) return;
   const Prepared* with = prepared(design->hash);
@@ -103,10 +113,10 @@ void FlightKeeper::load_engine(const EngineTable& engines, std::uint32_t engine_
   if (baseline->engine_type != design->model.engine_type)
     throw files::FileError(file + ": is of engine type " + baseline->engine_type + ", now flies " +
                            design->model.engine_type + ": the engine starts as an unknown one");
-  known_.back().learned = baseline->latest;
+  known.learned = baseline->latest;
   baselines_.emplace(engine_id, *baseline);
-  maintain(history, design->model.health.size(), known_.back().learned);
-  if (known_.back().learned.empty()) baselines_.erase(engine_id);  // its wear is counted from what comes
+  maintain(history, design->model.health.size(), known.learned);
+  if (known.learned.empty()) baselines_.erase(engine_id);  // its wear is counted from what comes
 }
 
 FlightKeeper::Known* FlightKeeper::find(std::uint32_t engine_id) noexcept {
@@ -192,6 +202,8 @@ void FlightKeeper::store(const Prepared& with, const Landing& landing, Flight& f
     if (learned && refused_.erase(landing.engine_id) != 0) {
       const std::string file = baseline_path(options_.directory, landing.engine_id);
       std::filesystem::rename(file, file + ".refused", there);
+      say(landing.engine_id, false,
+          "a new baseline is begun, the one that was not taken is kept as " + file + ".refused");
     }
     if (learned) write_baseline(options_.directory, baseline);
     add_to_history(options_.directory, landing.engine_id, to_line(flight));
@@ -201,13 +213,17 @@ void FlightKeeper::store(const Prepared& with, const Landing& landing, Flight& f
   }
 }
 
+void FlightKeeper::say(std::uint32_t engine_id, bool raised, std::string text) {
+  notices_.post(
+      {.kind = idl::EventKind::flight_history, .raised = raised, .text = std::move(text), .engine_id = engine_id});
+}
+
 void FlightKeeper::tell(bool failing, const std::string& why) {
   if (failing == failing_) return;
   failing_ = failing;
-  notices_.post({.kind = idl::EventKind::flight_history,
-                 .raised = failing,
-                 .text = failing ? "flights cannot be noted, their summaries are published all the same: " + why
-                                 : "flights are noted again"});
+  say(0, failing,
+      failing ? "flights cannot be noted, their summaries are published all the same: " + why
+              : "flights are noted again");
 }
 
 }  // namespace ehm::monitor

@@ -25,6 +25,7 @@
 #include "monitor/data/options.h"
 #include "monitor/history/baseline.h"
 #include "monitor/history/flight_entry.h"
+#include "monitor/history/history_folder.h"
 #include "monitor/onboard/on_board_model.h"
 #include "monitor/realtime/spsc_queue.h"
 #include "monitor/shared/engine_table.h"
@@ -79,7 +80,9 @@ class FlightKeeper {
   Known* find(std::uint32_t engine_id) noexcept;
   void remember(const EngineSlot& slot) noexcept;
   void load(const EngineTable& engines);
-  void load_engine(const EngineTable& engines, std::uint32_t engine_id);
+  FlightHistory readable_history(std::uint32_t engine_id);
+  void load_baseline(const EngineTable& engines, const FlightHistory& history, Known& known);
+  void say(std::uint32_t engine_id, bool raised, std::string text);
   const Prepared* prepared(const std::string& design_hash);
   void run();
   void sum_up(const Landing& landing);

@@ -36,14 +36,15 @@ class AnotherEngineTest : public PairTest {
                                                               std::to_string(domain_), "--monitor-design", design,
                                                               "--monitor-clock", "source"});
   }
-  /// At cruise with two parameters worn, as fast as the monitor answers.
+  /// At cruise with two parameters worn, ten times real time: the listener must see every sample, and lockstep waits for
+  /// the monitor only.
   std::unique_ptr<Process> fly(const std::string& engine, const std::string& duration_s) {
     const std::string scenario = folder_.file("scenario.toml",
                                               "[flight]\naltitude_m = 10668.0\nmach = 0.8\n"
                                               "[demand]\nkind = \"t40_k\"\nvalue = 1308.6\n"
                                               "[[wear]]\nparameter = \"hpc_efficiency\"\ninitial = -0.015\n"
                                               "[[wear]]\nparameter = \"hpt_flow\"\ninitial = 0.009\n");
-    return start_simulator({"--engine", engine, "--run-duration-s", duration_s, "--run-rate", "max"}, scenario);
+    return start_simulator({"--engine", engine, "--run-duration-s", duration_s, "--run-rate", "10"}, scenario);
   }
   const EngineDescription* description(idl::DescriptionRole role) const {
     for (const EngineDescription& d : listener_.descriptions)

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 
@@ -146,6 +147,21 @@ TEST_F(WholeFlightTest, IsSummedUpAtLandingAndTeachesTheNextOne) {
 
   Process question({monitor_program(), "history", "1", "--directory", history});
   EXPECT_EQ(question.wait(seconds(20)), 0) << question.log();
+}
+
+TEST_F(WholeFlightTest, DamagedFilesOfTheHistoryAreNamedEachForItself) {
+  const TemporaryFolder folder;
+  const std::string baseline = folder.file("engine_1_baseline.json", "{\"schema\": \"ehm-baseline/1\"}\n");
+  const std::string flights = folder.file("engine_2_flights.jsonl", "no flight\n\n");
+  const auto monitor = start_monitor({"--estimator-published", "onboard", "--history-directory", folder.path()});
+  const auto named = [&](std::uint32_t engine, const std::string& file) {
+    return std::any_of(listener_.events.begin(), listener_.events.end(), [&](const HealthEvent& e) {
+      return e.kind() == static_cast<std::uint32_t>(idl::EventKind::flight_history) && e.raised() != 0 &&
+             e.engine_id() == engine && std::string(e.message().c_str()).find(file) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(listener_.await([&] { return named(1, baseline) && named(2, flights + ":1"); })) << monitor->log();
+  EXPECT_TRUE(monitor->running());
 }
 
 TEST_F(WholeFlightTest, ADesignWithoutAnEngineIsRefusedWithWhatToDo) {
