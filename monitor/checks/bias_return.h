@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// When a sensor that was left out for a bias beyond the point may come back: its innovation, that of a filter which
-// goes on without it, must have a mean of less than half the least bias that is found.
-//   v <- v + g (innovation - v),  g = 1/mean_samples;      back where |v| < least/2 for mean_samples
+// When a sensor that was left out for a bias beyond the point may come back: when the mean of its innovation, that of a
+// filter which goes on without it, is no bias any more.
+//   v <- v + g (innovation - v),  g = 1/mean_samples;   v_max the largest |v| since it was left out
+//   back where |v| < max(least/2, min(1.5 S_ii^1/2, v_max/2)) for mean_samples
+// least: the least bias that would have been found. Without the sensor nobody knows any more what it should read; S_ii
+// holds that doubt. Within it, and at less than half of what the bias has been, the sensor is as good as the filter's
+// own word for it, which is open to be taught by it again; a bias that stays keeps it out in the widest doubt.
 // Real-time safe: yes. Errors: none; a value that is no number says nothing.
 
+#include <algorithm>
 #include <cmath>
 
 #include "monitor/estimation/capacity.h"
@@ -14,30 +19,34 @@ namespace ehm::monitor {
 class BiasReturn {
  public:
   static constexpr int mean_samples = 133;  ///< 2 s at 15 ms
+  static constexpr double doubt_sigmas = 1.5;
 
   /// `least`: the least bias that would have been found, in the sensor's unit.
   void leave_out(int sensor, double bias, double least) noexcept {
     sensor_ = sensor;
     mean_ = bias;
-    most_ = 0.5 * std::abs(least);
+    largest_ = std::abs(bias);
+    least_ = 0.5 * std::abs(least);
     good_ = 0;
   }
   void forget() noexcept { sensor_ = -1; }
   /// Which sensor is still to be left out; -1: none.
   int sensor() const noexcept { return sensor_; }
 
-  void look(const estimation::SensorVector& innovation) noexcept {
+  void look(const estimation::SensorVector& innovation, const estimation::SensorVector& variance) noexcept {
     if (sensor_ < 0) return;
     const double v = innovation(sensor_);
     if (!std::isfinite(v)) return;
     mean_ += (v - mean_) / mean_samples;
-    good_ = std::abs(mean_) < most_ ? good_ + 1 : 0;
+    largest_ = std::max(largest_, std::abs(mean_));
+    const double most = std::max(least_, std::min(doubt_sigmas * std::sqrt(variance(sensor_)), 0.5 * largest_));
+    good_ = std::abs(mean_) < most ? good_ + 1 : 0;
     if (good_ >= mean_samples) sensor_ = -1;
   }
 
  private:
   int sensor_ = -1, good_ = 0;
-  double mean_ = 0.0, most_ = 0.0;
+  double mean_ = 0.0, largest_ = 0.0, least_ = 0.0;
 };
 
 }  // namespace ehm::monitor

@@ -20,6 +20,8 @@ FaultDetection::FaultDetection(const CycleOptions& options, const PreparedDesign
     : sample_time_s_(prepared.design->model.sample_time_s),
       slowest_time_constant_s_(prepared.design->full.slowest_time_constant_s),
       detector_(options.faults, prepared.faults, sample_time_s_),
+      published_noise_(options.faults.false_alarm_per_hour, static_cast<int>(prepared.design->model.sensors.size()),
+                       sample_time_s_),
       shift_(options.shift, *prepared.design, prepared.shift),
       slow_bias_(options.faults, prepared.slow_bias) {}
 
@@ -113,12 +115,35 @@ void FaultDetection::settle_ambiguity(bool decided, EventList& events) noexcept 
 }
 
 void FaultDetection::leave_point(EventList& events) noexcept {
+  published_noise_.start();
   shift_.end(events);
   ambiguous_.reassess(idl::EventKind::ambiguous_fault, ambiguous_channel_, events);
 }
 
+void FaultDetection::follow_noise(SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept {
+  const estimation::SensorVector scaled = result.innovation.cwiseQuotient(result.innovation_variance.cwiseSqrt());
+  estimation::SensorMask present;
+  for (Eigen::Index i = 0; i < scaled.size(); ++i)
+    present[as_size(i)] = std::isfinite(scaled(i)) && !supervision.excluded(static_cast<int>(i));
+  published_noise_.step(scaled, present);
+  for (int i = 0; i < static_cast<int>(scaled.size()); ++i) {
+    const auto s = as_size(i);
+    if (!present[s] || !published_noise_.loud(i)) continue;
+    supervision.exclude(i,
+                        {.kind = idl::EventKind::sensor_fault,
+                         .channel = static_cast<std::uint32_t>(i),
+                         .raised = true,
+                         .value = published_noise_.factor(i),
+                         .threshold = published_noise_.threshold_factor(),
+                         .detail = reason::noise},
+                        events);
+    result.reason[s] |= reason::noise | reason::excluded;
+  }
+}
+
 int FaultDetection::follow(const estimation::Estimate& published, SensorSupervision& supervision, CycleResult& result,
                            EventList& events) noexcept {
+  follow_noise(supervision, result, events);
   const bool stepped = published.stepped >= 0;
   const auto channel = static_cast<std::uint32_t>(std::max(published.stepped, 0));
   if (published_step_.raised() && (!stepped || channel != stepped_channel_))
@@ -131,6 +156,15 @@ int FaultDetection::follow(const estimation::Estimate& published, SensorSupervis
                          .value = published.step,
                          .threshold = published.least_step},
                         events);
+  }
+  if (const bool unsure = published.suspected >= 0; unsure || ambiguous_.raised()) {
+    if (unsure) ambiguous_channel_ = static_cast<std::uint32_t>(published.suspected);
+    ambiguous_.set(unsure,
+                   {.kind = idl::EventKind::ambiguous_fault,
+                    .channel = ambiguous_channel_,
+                    .value = published.bias,
+                    .threshold = published.least_bias},
+                   events);
   }
   const int sensor = published.biased;
   if (sensor < 0 || supervision.excluded(sensor)) return -1;
@@ -147,6 +181,7 @@ int FaultDetection::follow(const estimation::Estimate& published, SensorSupervis
 }
 
 void FaultDetection::restart(int missing, EventList& events) noexcept {
+  published_noise_.start();
   if (missing < 0)
     detector_.reset();
   else

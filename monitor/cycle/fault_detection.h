@@ -13,6 +13,7 @@
 #include "monitor/data/events.h"
 #include "monitor/data/options.h"
 #include "monitor/diagnosis/fault_detector.h"
+#include "monitor/diagnosis/noise_watch.h"
 #include "monitor/diagnosis/shift_detector.h"
 #include "monitor/diagnosis/slow_bias.h"
 #include "monitor/diagnosis/ungated_filter.h"
@@ -37,8 +38,9 @@ class FaultDetection {
 
   /// The engine flies on where the watch filter's model does not hold: what it has found and not settled ends.
   void leave_point(EventList& events) noexcept;
-  /// Where the watch filter's model does not hold: the step of health, or the bias of a sensor, that the published
-  /// estimator has found by itself. Excludes the sensor. @returns which has been excluded now; -1: none.
+  /// Where the watch filter's model does not hold: the step of health, the bias of a sensor, or what may be either, that
+  /// the published estimator has found by itself; and a sensor whose noise has grown against its innovations. Excludes the sensor.
+  /// @returns which has been excluded for a bias now; -1: none.
   int follow(const estimation::Estimate& published, SensorSupervision& supervision, CycleResult& result,
              EventList& events) noexcept;
 
@@ -69,11 +71,13 @@ class FaultDetection {
                   EventList& events) noexcept;
   Verdict declare_sensor(const FaultVerdict& fault, bool all_sensors, SensorSupervision& supervision,
                          CycleResult& result, EventList& events) noexcept;
+  void follow_noise(SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept;
   void settle_ambiguity(bool decided, EventList& events) noexcept;
   double age_s(const FaultVerdict& fault) const noexcept { return sample_time_s_ * (fault.age + 1); }
 
   double sample_time_s_, slowest_time_constant_s_;
   FaultDetector detector_;
+  NoiseWatch published_noise_;  ///< beyond the point
   UngatedFilter ungated_;
   ShiftDetector shift_;
   SlowBias slow_bias_;

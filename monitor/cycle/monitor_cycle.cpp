@@ -95,7 +95,7 @@ void MonitorCycle::fuse_beyond_the_point() noexcept {
   const GateDecision gate = innovation_gate(innovation.value, innovation.variance, supervision_.plausible(result_),
                                             options_.checks.gate_sigma);
   result_.ratio = gate.ratio;
-  bias_return_.look(innovation.value);
+  bias_return_.look(innovation.value, innovation.variance);
   supervision_.gate(gate, {.held_back = bias_return_.sensor()}, result_);
   supervision_.qualify(false, result_, counters_, events_);
   note_fused(supervision_.available());

@@ -2,6 +2,7 @@
 #include "monitor/design/closed_loop.h"
 
 #include "deploy/runtime/numbers/decompositions.h"
+#include "monitor/estimation/linear/lyapunov.h"
 
 namespace ehm::design {
 
@@ -12,6 +13,14 @@ Eigen::MatrixXd closed_loop(const SubsetDesign& subset) {
 Eigen::MatrixXd settled(const Eigen::MatrixXd& closed_loop, const Eigen::MatrixXd& drive) {
   const Eigen::Index size = closed_loop.rows();
   return (Eigen::MatrixXd::Identity(size, size) - closed_loop).partialPivLu().solve(drive);
+}
+
+Eigen::MatrixXd tuner_noise(const SubsetDesign& subset, const linear_model::LinearModel& model) {
+  const Eigen::MatrixXd entry = process_noise_entry(subset, model.A.rows());
+  const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
+  const Eigen::MatrixXd noise = subset.K * R * subset.K.transpose() + entry * model.process_noise * entry.transpose();
+  const Eigen::Index t = subset.V.rows();
+  return estimation::solve_discrete_lyapunov(closed_loop(subset), noise).bottomRightCorner(t, t);
 }
 
 Eigen::MatrixXd process_noise_entry(const SubsetDesign& subset, Eigen::Index n) {

@@ -20,6 +20,11 @@ Eigen::MatrixXd closed_loop(const SubsetDesign& subset);
 /// (I - Acl)^-1 drive, a column for every column of `drive`.
 Eigen::MatrixXd settled(const Eigen::MatrixXd& closed_loop, const Eigen::MatrixXd& drive);
 
+/// Covariance of the noise that the sensors and the engine's own motion leave on the tuners, t x t:
+/// S = Acl S Acl^T + K R K^T + (I - K C) [I; 0] Q [I; 0]^T (I - K C)^T, its lower right corner. `model` scaled.
+/// @throws estimation::SolverError if the closed loop is not stable.
+Eigen::MatrixXd tuner_noise(const SubsetDesign& subset, const linear_model::LinearModel& model);
+
 /// (I - K C) [I; 0], (n+t) x n.
 Eigen::MatrixXd process_noise_entry(const SubsetDesign& subset, Eigen::Index n);
 

@@ -46,14 +46,17 @@ struct DesignOptions {
 
 /// The filter for one set of sensors and its theoretical error.
 struct SubsetDesign {
-  std::vector<int> sensors;  ///< indices of the sensors that it uses, ascending
-  Eigen::MatrixXd V;         ///< t x p, orthonormal rows; q = V h
-  Eigen::MatrixXd W;         ///< p x t, pseudoinverse of V; h = W q
-  Eigen::MatrixXd A;         ///< (n+t) x (n+t), Axq
-  Eigen::MatrixXd B;         ///< (n+t) x nu, Bxq
-  Eigen::MatrixXd C;         ///< m x (n+t), Cxq, a row for every sensor of the model
-  Eigen::MatrixXd K;         ///< (n+t) x m, Kinf, zero columns for sensors that are not used
-  Eigen::MatrixXd P;         ///< (n+t) x (n+t), predicted covariance, solves the Riccati equation
+  std::vector<int> sensors;           ///< indices of the sensors that it uses, ascending
+  Eigen::MatrixXd V;                  ///< t x p, orthonormal rows; q = V h
+  Eigen::MatrixXd W;                  ///< p x t, pseudoinverse of V; the filter models h = W q
+  Eigen::MatrixXd health_readout;     ///< p x t, Rh; published h = Rh q. W, unless the model knows its linearisation
+                                      ///< error (tuner_design/theory/read_out.h)
+  Eigen::MatrixXd auxiliary_readout;  ///< r x t, Rz; published z = F x + Rz q. N W likewise
+  Eigen::MatrixXd A;                  ///< (n+t) x (n+t), Axq
+  Eigen::MatrixXd B;                  ///< (n+t) x nu, Bxq
+  Eigen::MatrixXd C;                  ///< m x (n+t), Cxq, a row for every sensor of the model
+  Eigen::MatrixXd K;                  ///< (n+t) x m, Kinf, zero columns for sensors that are not used
+  Eigen::MatrixXd P;                  ///< (n+t) x (n+t), predicted covariance, solves the Riccati equation
   Eigen::MatrixXd health_total_covariance, auxiliary_total_covariance;  ///< G Ph G^T + T S T^T + linearisation
   Eigen::MatrixXd health_linearisation_covariance, auxiliary_linearisation_covariance;  ///< part of the total
   Eigen::MatrixXd health_filter_covariance, auxiliary_filter_covariance;                ///< T P_updated T^T
@@ -85,11 +88,17 @@ struct Design {
   std::vector<std::optional<SubsetDesign>> missing;  ///< [i] without sensor i; empty where that is not observable
   ErrorByChannel ssee;                               ///< of `full` on the linear engine: theory.md, section 4
   ErrorByChannel linearisation;                      ///< what the real engine's nonlinearity adds to that
-  ErrorByChannel bayes_limit;                        ///< no estimator on steady data at this point can do better
-  ErrorByChannel full_map, reduced_map;              ///< MAP on one noisy snapshot, on h and on the tuners
-  Certificate certificate;                           ///< of the tuners of `full`
-  std::optional<schedule::Schedule> schedule;        ///< of the estimator `scheduled`; most designs have none
-  std::string hash;                                  ///< SHA-256 of the content; set by write_design and read_design
+  ErrorByChannel bayes_limit;            ///< no linear estimator on steady data at this point errs less of the real
+                                         ///< engine: ssee + linearisation is what compares with it
+  ErrorByChannel full_map, reduced_map;  ///< MAP on one noisy snapshot, on h and on the tuners
+  Certificate certificate;               ///< of the tuners of `full`
+  std::optional<schedule::Schedule> schedule;  ///< of the estimator `scheduled`; most designs have none
+  std::string hash;                            ///< SHA-256 of the content; set by write_design and read_design
+
+  /// Of `full` on the real engine, as far as the model knows what it misses.
+  [[nodiscard]] ErrorByChannel real_error() const {
+    return {ssee.health + linearisation.health, ssee.auxiliary + linearisation.auxiliary};
+  }
 };
 
 }  // namespace ehm::design

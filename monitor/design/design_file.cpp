@@ -58,10 +58,12 @@ linear_model::Scaling scaling_from_json(files::JsonObject& parent, const linear_
 }
 
 files::Json content_of(const Design& design, const std::string& file) {
+  const bool own_readout = design.model.linearisation_error.size() > 0;
   files::Json missing = files::Json::array();
   for (std::size_t i = 0; i < design.missing.size(); ++i) {
     const std::string path = "designs.missing[" + std::to_string(i) + "]";
-    missing.push_back(design.missing[i] ? subset_to_json(*design.missing[i], file, path) : files::Json(nullptr));
+    missing.push_back(design.missing[i] ? subset_to_json(*design.missing[i], own_readout, file, path)
+                                        : files::Json(nullptr));
   }
   files::Json json = {
       {"schema", design_schema},
@@ -69,7 +71,8 @@ files::Json content_of(const Design& design, const std::string& file) {
       {"scaling", scaling_to_json(design.scaling, file)},
       {"made_by", options_to_json(design.options)},
       {"certificate", certificate_to_json(design.certificate, file)},
-      {"designs", {{"full", subset_to_json(design.full, file, "designs.full")}, {"missing", std::move(missing)}}},
+      {"designs",
+       {{"full", subset_to_json(design.full, own_readout, file, "designs.full")}, {"missing", std::move(missing)}}},
       {"errors",
        {{"ssee", errors_to_json(design.ssee, file, "errors.ssee")},
         {"linearisation", errors_to_json(design.linearisation, file, "errors.linearisation")},
@@ -105,7 +108,7 @@ std::string take_verified_hash(files::Json& root, const std::string& file) {
 
 void read_designs(files::JsonObject& root, Design& design) {
   files::JsonObject object(root.at("designs"), root.file(), "designs");
-  design.full = subset_from_json(object.at("full"), design.model, root.file(), "designs.full");
+  design.full = subset_from_json(object.at("full"), design.model, design.scaling, root.file(), "designs.full");
   const files::Json& missing = object.array("missing");
   object.refuse_unknown();
   if (missing.size() != design.model.sensors.size()) {
@@ -117,7 +120,7 @@ void read_designs(files::JsonObject& root, Design& design) {
     design.missing.emplace_back();
     if (missing[i].is_null()) continue;
     const std::string path = "designs.missing[" + std::to_string(i) + "]";
-    design.missing.back() = subset_from_json(missing[i], design.model, root.file(), path);
+    design.missing.back() = subset_from_json(missing[i], design.model, design.scaling, root.file(), path);
   }
 }
 

@@ -75,6 +75,8 @@ SubsetDesign gauss_markov_filter(const linear_model::LinearModel& model, const s
   design.sensors = sensors;
   design.V.setIdentity(p, p);
   design.W = design.V;
+  design.health_readout = design.W;
+  design.auxiliary_readout = model.N;
   design.A = rho * Eigen::MatrixXd::Identity(n + p, n + p);
   design.A.topRows(n) << model.A, model.L;
   design.B = Eigen::MatrixXd::Zero(n + p, model.B.cols());

@@ -43,11 +43,11 @@ SubsetGain channel_unit_gain(const SubsetDesign& design, const SubsetDesign& ful
   gain.B = design.B;
   gain.C = scaling.sensor.asDiagonal() * design.C;
   gain.K = design.K * scaling.sensor.cwiseInverse().asDiagonal();
-  gain.health_output.setZero(p, n + t);  // Th = [0, W]
-  gain.health_output.rightCols(t) = health * design.W;
-  gain.auxiliary_output.resize(r, n + t);  // Tz = [F, N W]
+  gain.health_output.setZero(p, n + t);  // Th = [0, Rh]
+  gain.health_output.rightCols(t) = health * design.health_readout;
+  gain.auxiliary_output.resize(r, n + t);  // Tz = [F, Rz]
   gain.auxiliary_output.leftCols(n) = auxiliary * model.F;
-  gain.auxiliary_output.rightCols(t) = auxiliary * (model.N * design.W);
+  gain.auxiliary_output.rightCols(t) = auxiliary * design.auxiliary_readout;
   gain.from_full = transfer(full, design, model.sensor_noise_sigma, steady);
   gain.to_full = transfer(design, full, model.sensor_noise_sigma, steady);
   gain.innovation_variance = design.innovation_variance.cwiseProduct(scaling.sensor.cwiseAbs2());

@@ -19,7 +19,7 @@ namespace {
 ShiftStatistic make_statistic(const design::Design& design, const design::SubsetDesign& subset) {
   const auto model = linear_model::scaled(design.model, design.scaling);
   const auto steady = estimation::steady_gain(model);
-  const Eigen::MatrixXd scatter = 2.0 * subset.V * subset.health_noise_covariance * subset.V.transpose();
+  const Eigen::MatrixXd scatter = 2.0 * design::tuner_noise(subset, model);
   const Eigen::LLT<Eigen::MatrixXd> factor(scatter);
   if (factor.info() != Eigen::Success)
     throw std::invalid_argument("the design's noise covariance of the tuners is not positive definite");

@@ -7,6 +7,7 @@
 
 #include "deploy/runtime/numbers/decompositions.h"
 #include "deploy/runtime/numbers/index.h"
+#include "monitor/design/closed_loop.h"
 #include "monitor/design/detectability.h"
 #include "monitor/diagnosis/quantiles.h"
 #include "monitor/estimation/steady_gain.h"
@@ -26,15 +27,15 @@ std::shared_ptr<const SlowBiasTable> slow_bias_table(const design::Design& desig
   const linear_model::LinearModel model = linear_model::scaled(design.model, design.scaling);
   const Eigen::MatrixXd H = estimation::steady_gain(model).H;
   const Eigen::Index m = H.rows();
+  const Eigen::MatrixXd HW = H * design.full.W;
   Eigen::MatrixXd spread = H * model.health_sigma.cwiseAbs2().asDiagonal() * H.transpose() +
-                           H * design.full.health_noise_covariance * H.transpose();
+                           HW * design::tuner_noise(design.full, model) * HW.transpose();
   if (model.linearisation_error.rows() > 0) spread += model.linearisation_error.topLeftCorner(m, m);
   // Fewer tuners than sensors leave directions that the filter never believes in: noise keeps them finite.
   const double samples = design.full.averaged_samples(model.sample_time_s);
   spread += Eigen::MatrixXd(model.sensor_noise_sigma.cwiseAbs2().asDiagonal()) / samples;
   const Eigen::MatrixXd inverse = spread.llt().solve(Eigen::MatrixXd::Identity(m, m));
   const Eigen::VectorXd root = inverse.diagonal().cwiseSqrt();
-  const Eigen::MatrixXd HW = H * design.full.W;
   table->whitened = root.cwiseInverse().asDiagonal() * inverse * HW;
   table->distance = HW.transpose() * inverse * HW;
   table->bias_per_z = design.scaling.sensor.cwiseQuotient(root);

@@ -22,6 +22,9 @@ struct Estimate {
   /// -1: none.
   int biased = -1;
   double bias = 0.0, least_bias = 0.0;
+  /// A sensor that may have become biased, by `bias`, though a health parameter that has stepped would explain it nearly
+  /// as well: nobody can name it. -1: none.
+  int suspected = -1;
   bool settled = false;  ///< what it did not know at its start has faded to a thousandth
 };
 

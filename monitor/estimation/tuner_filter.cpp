@@ -50,7 +50,7 @@ void check_tuner_structure(const std::string& set, const SubsetGain& gain, Eigen
                                 " rows of A and B move the tuners; expected [0, I] and 0, at least one row");
   }
   if (!gain.health_output.leftCols(states).isZero(0.0))
-    throw std::invalid_argument("tuner filter: " + set + " health_output has states in it; expected [0, W]");
+    throw std::invalid_argument("tuner filter: " + set + " health_output has states in it; expected [0, Rh]");
 }
 
 void check_model(const TunerFilterModel& model) {

@@ -45,8 +45,8 @@ struct SubsetGain {
   BoundedMatrix<max_augmented, max_actuators> B;                   ///< Bxq, per actuator unit
   BoundedMatrix<max_sensors, max_augmented> C;                     ///< Cxq, sensor units, all m rows
   BoundedMatrix<max_augmented, max_sensors> K;                     ///< per sensor unit; zero columns where not used
-  BoundedMatrix<max_health, max_augmented> health_output;          ///< Th = [0, W], health units
-  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_output;    ///< Tz = [F, N W], auxiliary units
+  BoundedMatrix<max_health, max_augmented> health_output;          ///< Th = [0, Rh], health units
+  BoundedMatrix<max_auxiliary, max_augmented> auxiliary_output;    ///< Tz = [F, Rz], auxiliary units
   BoundedMatrix<max_augmented, max_augmented> from_full, to_full;  ///< re-reference the state at a switch
   SensorVector innovation_variance;                                ///< see TunerFilter::innovation_variance
   HealthVector health_sigma_total, health_sigma_filter;

@@ -69,7 +69,7 @@ void OnBoardEstimator::start_cold() noexcept {
   doubt_.noise.setOnes(layout_.sensor_count);
   doubt_.slow.setZero(layout_.sensor_count);
   steps_.reset();
-  estimate_.stepped = estimate_.biased = -1;
+  forget_findings();
   size_.setOnes(layout_.sensor_count);
   innovation_.value.setZero(layout_.sensor_count);
   innovation_.variance.setZero(layout_.sensor_count);
@@ -248,7 +248,7 @@ void OnBoardEstimator::weigh_readings() noexcept {
 
 void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
   if (!estimate_.holds) return;
-  watch_for_steps(fused & estimate_.sensors);
+  watch_for_steps();
   UnknownVector change = UnknownVector::Zero(layout_.count());
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) {
     if (!(fused & estimate_.sensors)[as_size(i)]) continue;
@@ -261,11 +261,17 @@ void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
   read_out(change);
 }
 
-void OnBoardEstimator::watch_for_steps(SensorMask fused) noexcept {
+void OnBoardEstimator::watch_for_steps() noexcept {
   const double dt_s = model_->options().sample_time_s;
-  if (static_cast<double>(++since_step_) * dt_s > step_lasts_s) estimate_.stepped = estimate_.biased = -1;
+  if (static_cast<double>(++since_step_) * dt_s > step_lasts_s) forget_findings();
   if (!teach_ || !estimate_.settled) return steps_.reset();  // P is open by itself
-  if (steps_.take(innovation_.value.cwiseQuotient(size_), fused, tangent_, covariance_, doubt_)) open_for_step();
+  const estimation::Innovation percent{innovation_.value.cwiseQuotient(size_),
+                                       innovation_.variance.cwiseQuotient(size_.cwiseAbs2())};
+  if (steps_.take(percent, estimate_.sensors, tangent_, covariance_, doubt_)) open_for_step();
+}
+
+void OnBoardEstimator::forget_findings() noexcept {
+  estimate_.stepped = estimate_.biased = estimate_.suspected = -1;
 }
 
 void OnBoardEstimator::open_for_step() noexcept {
@@ -278,11 +284,11 @@ void OnBoardEstimator::open_for_step() noexcept {
   covariance_.open(layout_.first_bias(), square(model_->options().step_bias_percent) * found.sensor);
   ++steps_found_;
   since_step_ = 0;
-  estimate_.stepped = estimate_.biased = -1;
+  forget_findings();
   if (found.parameter < 0) {
     Eigen::Index sensor = 0;
-    if (found.sensor.maxCoeff(&sensor) < sure) return;
-    estimate_.biased = static_cast<int>(sensor);
+    const bool named = found.sensor.maxCoeff(&sensor) >= sure;
+    (named ? estimate_.biased : estimate_.suspected) = static_cast<int>(sensor);
     estimate_.bias = found.size_percent * size_(sensor);
     estimate_.least_bias = found.threshold_percent * size_(sensor);
     return;

@@ -13,6 +13,7 @@ using estimation::SensorVector;
 using SensorMatrix = estimation::BoundedMatrix<estimation::max_sensors, estimation::max_sensors>;
 
 constexpr double test_every_s = 0.25;
+constexpr double most_sigmas = 6.0;    ///< of a single reading
 constexpr double filling_means = 2.0;  ///< mean times after a reset, until the mean is one
 
 }  // namespace
@@ -36,19 +37,24 @@ void StepWatch::reset() noexcept {
   statistic_ = 0.0;
 }
 
-bool StepWatch::take(const SensorVector& innovation, SensorMask fused, const EngineTangent& tangent,
+bool StepWatch::take(const estimation::Innovation& percent, SensorMask in_use, const EngineTangent& tangent,
                      const UnknownCovariance& covariance, const ReadingDoubt& doubt) noexcept {
-  for (Eigen::Index i = 0; i < layout_.sensor_count; ++i)
-    mean_(i) = fused[as_size(i)] ? mean_(i) + gain_ * (innovation(i) - mean_(i)) : 0.0;
+  for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) {
+    const double most = most_sigmas * std::sqrt(percent.variance(i));
+    if (!in_use[as_size(i)])
+      mean_(i) = 0.0;
+    else if (std::isfinite(percent.value(i)))
+      mean_(i) += gain_ * (std::clamp(percent.value(i), -most, most) - mean_(i));
+  }
   ++samples_;
   if (samples_ < filling_samples_ || samples_ % test_samples_ != 0) return false;
-  above_ = test(fused, tangent, covariance, doubt) ? above_ + test_samples_ : 0;
+  above_ = test(in_use, tangent, covariance, doubt) ? above_ + test_samples_ : 0;
   if (above_ <= confirm_samples_) return false;
   reset();
   return true;
 }
 
-bool StepWatch::test(SensorMask fused, const EngineTangent& tangent, const UnknownCovariance& covariance,
+bool StepWatch::test(SensorMask in_use, const EngineTangent& tangent, const UnknownCovariance& covariance,
                      const ReadingDoubt& doubt) noexcept {
   const Eigen::Index m = layout_.sensor_count, p = layout_.health_count;
   SensorMatrix s = tangent.readings() * covariance.matrix() * tangent.readings().transpose();
@@ -56,7 +62,7 @@ bool StepWatch::test(SensorMask fused, const EngineTangent& tangent, const Unkno
   estimation::BoundedMatrix<estimation::max_sensors, most_health + estimation::max_sensors> slopes(m, p + m);
   slopes << tangent.settled_health(), SensorMatrix::Identity(m, m);
   for (Eigen::Index i = 0; i < m; ++i) {
-    if (fused[as_size(i)]) continue;  // tells nothing
+    if (in_use[as_size(i)]) continue;  // tells nothing otherwise
     s.row(i).setZero();
     s.col(i).setZero();
     s(i, i) = 1.0;

@@ -3,6 +3,9 @@
 // Has something stepped that the on-board filter takes to be constant? A filter that has learned is deaf to it: its
 // covariance P no longer admits a change. The mean of its innovations tells.
 //   v   <- v + g (innovation - v)              percent, over mean_time_s;  g = 1 - exp(-dt/mean_time_s)
+//                                              of every sensor in use, also of a reading that the gate has held back: a
+//                                              biased one is held back half of the time. At most 6 sigma of a single
+//                                              reading count, so that a spike is no step
 //   S   =  Y P Y' + diag(sigma^2 g/(2 - g) + slow^2)      sigma: noise of a sample; slow: what no mean takes away
 //   T   =  v' S^-1 v                           chi-square with a degree of freedom for each sensor while nothing steps
 //   b_j =  (s_j' S^-1 v)^2/(s_j' S^-1 s_j)     what of T one cause explains, and its size (s_j' S^-1 v)/(s_j' S^-1 s_j):
@@ -41,15 +44,16 @@ class StepWatch {
 
   /// Begins anew: the mean knows nothing.
   void reset() noexcept;
-  /// The innovations of one sample, percent, of which `fused` are good. True: something has stepped, see finding().
-  bool take(const estimation::SensorVector& innovation, estimation::SensorMask fused, const EngineTangent& tangent,
+  /// The innovations of one sample and their variance, percent, of the sensors in use; one that is no number leaves the
+  /// mean as it is. True: something has stepped, see finding().
+  bool take(const estimation::Innovation& percent, estimation::SensorMask in_use, const EngineTangent& tangent,
             const UnknownCovariance& covariance, const ReadingDoubt& doubt) noexcept;
   const StepFinding& finding() const noexcept { return finding_; }
   /// T of the latest test.
   double statistic() const noexcept { return statistic_; }
 
  private:
-  bool test(estimation::SensorMask fused, const EngineTangent& tangent, const UnknownCovariance& covariance,
+  bool test(estimation::SensorMask in_use, const EngineTangent& tangent, const UnknownCovariance& covariance,
             const ReadingDoubt& doubt) noexcept;
 
   UnknownLayout layout_;

@@ -14,6 +14,7 @@
 #include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/full_order/gauss_markov.h"
 #include "tuner_design/full_order/limit_after.h"
+#include "tuner_design/theory/bayes_limit.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -137,7 +138,8 @@ std::vector<Baseline> baselines(const Design& design, const BaselineOptions& opt
   table.push_back({"full_map", "full-order MAP on one noisy snapshot", design.full_map, std::nullopt});
   add_gauss_markov(table, setting);
   add_time_varying(table, setting, options.run_s);
-  table.push_back({"bayes_limit", "Bayes limit: endless averaging at this point", design.bayes_limit, std::nullopt});
+  table.push_back({"bayes_limit", "Bayes limit: endless averaging at this point",
+                   steady_limit(design::fleet_unknowns(setting.model, setting.steady)), std::nullopt});
   return table;
 }
 

@@ -41,7 +41,7 @@ void compare(const Arguments& arguments, const Console& console) {
       [&] {
         return nlohmann::ordered_json{{"design", design.hash}, {"baselines", baselines_as_json(design, table)}};
       },
-      [&](std::ostream& out) { print_baselines(design, table, out); });
+      [&](std::ostream& out) { print_baselines(table, out); });
 }
 
 }  // namespace

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/fault_study_command.h"
 
+#include <cmath>
+
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
+#include "engine_sim/scenario/mission.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/print/false_alarm_text.h"
 #include "tuner_design/print/fault_study_text.h"
+#include "tuner_design/print/mission_fault_text.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -28,6 +32,24 @@ auto studied(const FaultStudyArguments& arguments, const char* name, const std::
   }
 }
 
+void mission_fault_study_of_file(FaultStudyArguments arguments, const std::string& csv, const OutputOptions& output,
+                                 const Console& console) {
+  MissionFaultOptions& options = arguments.mission;
+  options.seed = arguments.options.seed;
+  options.threads = arguments.options.threads;
+  options.engine = arguments.options.engine;
+  options.fault_free =
+      static_cast<std::size_t>(std::ceil(3600.0 * arguments.options.hours / engine_sim::mission_seconds));
+  const MissionFaultStudy study = studied(arguments, "faults --mission", csv, output, console,
+                                          [&](const design::Design& design, const auto& progress) {
+                                            return run_mission_fault_study(design, options, progress);
+                                          });
+  if (!csv.empty()) files::write_file_atomically(csv, mission_fault_study_as_csv(study));
+  print_result(
+      console, output, [&] { return mission_fault_study_as_json(study); },
+      [&](std::ostream& out) { print_mission_fault_study(study, out); });
+}
+
 }  // namespace
 
 void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments) {
@@ -39,12 +61,24 @@ void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments) 
   command.add_option("--hours", arguments.options.hours, "faults, false-alarms: simulated hours with nothing broken")
       ->check(CLI::Range(0.0, 1e5))
       ->capture_default_str();
+  command
+      .add_option("--mission", arguments.mission.estimator,
+                  "faults: fly whole two-hour missions with this estimator published, in place of the design's point; "
+                  "of scheduled the design must have a schedule")
+      ->check(CLI::IsMember({"onboard", "scheduled"}))
+      ->each([&arguments](const std::string&) { arguments.over_missions = true; });
+  command.add_option("--flights", arguments.mission.flights, "faults --mission: flights in which things break")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
+      ->capture_default_str();
   command.add_flag("!--no-process-noise", arguments.process_noise,
                    "false-alarms: the engine stays in balance; without it, it moves by the model's process noise");
 }
 
 void fault_study_of_file(const FaultStudyArguments& arguments, const std::string& csv, const OutputOptions& output,
                          const Console& console) {
+  if (arguments.over_missions) {
+    return mission_fault_study_of_file(arguments, csv, output, console);
+  }
   const FaultStudy study =
       studied(arguments, "faults", csv, output, console, [&](const design::Design& design, const auto& progress) {
         return run_fault_study(design, arguments.options, progress);

@@ -7,16 +7,19 @@
 
 #include "tuner_design/cli/command.h"
 #include "tuner_design/faults/fault_study.h"
+#include "tuner_design/faults/mission_fault_study.h"
 
 namespace ehm::tuner_design {
 
 struct FaultStudyArguments {
   std::string design;
   FaultStudyOptions options;
-  bool process_noise = true;  ///< of the false-alarm study
+  bool process_noise = true;   ///< of the false-alarm study
+  bool over_missions = false;  ///< faults: whole flights with the estimator of `mission` in place of the point
+  MissionFaultOptions mission;
 };
 
-/// --design, --cases, --hours, --no-process-noise; seed and threads are the study command's.
+/// --design, --cases, --hours, --no-process-noise, --mission, --flights; seed and threads are the study command's.
 void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments);
 
 /// Flies, prints, and writes `csv` unless it is empty.

@@ -8,6 +8,7 @@
 #include "monitor/design/make_scheduled.h"
 #include "tuner_design/print/flight_study_text.h"
 #include "tuner_design/print/margin_study_text.h"
+#include "tuner_design/print/point_study_text.h"
 #include "tuner_design/print/start_study_text.h"
 
 namespace ehm::tuner_design {
@@ -46,14 +47,15 @@ std::shared_ptr<const estimation::Estimator> scheduled_of(const std::string& fil
 }  // namespace
 
 bool is_flight_study(const std::string& study) {
-  return study == "flight" || study == "starts" || study == "margin";
+  return study == "flight" || study == "starts" || study == "margin" || study == "points";
 }
 
 void add_flight_study_options(CLI::App& command, FlightStudyArguments& arguments) {
   command
       .add_option("--fleet", arguments.fleet,
                   "flight: engines of each fleet, default " + std::to_string(arguments.flight.engines) +
-                      "; margin: engines, default " + std::to_string(arguments.margin.engines))
+                      "; margin: engines, default " + std::to_string(arguments.margin.engines) +
+                      "; points: engines at each, default " + std::to_string(arguments.points.engines))
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}));
   command
       .add_option("--step", arguments.flight.step_s,
@@ -79,6 +81,14 @@ void flight_study(const std::string& study, const FlightStudyArguments& argument
     return show(
         output, console, [&](const auto& progress) { return run_start_study(options, progress); }, print_start_study,
         start_study_as_json);
+  }
+  if (study == "points") {
+    PointStudyOptions options = given_to(arguments.points, given);
+    options.seed = given.seed;
+    options.engines = arguments.fleet.value_or(options.engines);
+    return show(
+        output, console, [&](const auto& progress) { return run_point_study(options, progress); }, print_point_study,
+        point_study_as_json);
   }
   if (study == "margin") {
     MarginStudyOptions options = given_to(arguments.margin, given);

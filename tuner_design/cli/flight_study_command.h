@@ -4,6 +4,8 @@
 //   flight   is health estimated in every sample, and honestly?
 //   starts   does every engine of a fleet start its mission?
 //   margin   is the EGT margin known over an engine's life?
+// and beside them
+//   points   the tuner filter at single points from approach to take-off
 
 #include <optional>
 #include <string>
@@ -12,6 +14,7 @@
 #include "tuner_design/flight/flight_figures.h"
 #include "tuner_design/flight/margin_study.h"
 #include "tuner_design/flight/start_study.h"
+#include "tuner_design/points/point_study.h"
 
 namespace ehm::tuner_design {
 
@@ -21,6 +24,7 @@ struct FlightStudyArguments {
   std::string schedule;  ///< design file of estimator scheduled; empty: it is not flown
   StartStudyOptions starts;
   MarginStudyOptions margin;
+  PointStudyOptions points;
 };
 
 bool is_flight_study(const std::string& study);

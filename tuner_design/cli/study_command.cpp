@@ -48,6 +48,7 @@ void run_study(Arguments arguments, const Console& console) {
   arguments.faults.options.seed = arguments.options.seed;
   arguments.faults.options.threads = arguments.options.threads;
   arguments.faults.options.engine = arguments.engine.engine();
+  arguments.faults.mission.engine_name = arguments.engine.name_or_file;
   const bool of_the_paper = arguments.study.starts_with("simon-garg");
   if (!of_the_paper && arguments.trim != "new")
     throw CLI::ValidationError(
@@ -101,11 +102,12 @@ void add_study_command(CLI::App& app, Action& run) {
                                          "Tables 4 to 7 of Simon & Garg, NASA/TM-2010-216077, on our engine; "
                                          "how well the monitor finds and names faults; its false alarms; "
                                          "estimates over whole flights; whether every engine starts; "
-                                         "or the EGT margin over its life");
-  command->add_option("study", arguments->study, "Which table, faults, false-alarms, flight, starts, or margin")
+                                         "the EGT margin over its life; "
+                                         "or the tuner filter at points from approach to take-off");
+  command->add_option("study", arguments->study, "Which table, faults, false-alarms, flight, starts, margin, or points")
       ->required()
       ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms",
-                             "flight", "starts", "margin"}));
+                             "flight", "starts", "margin", "points"}));
   CLI::Option* model =
       command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
           ->type_name("MODEL");
@@ -116,7 +118,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->capture_default_str()
       ->excludes(model);
   add_engine_option(*command, arguments->engine,
-                    "Engine of simon-garg without --model, faults, flight, starts, margin");
+                    "Engine of simon-garg without --model, faults, flight, starts, margin, points");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))

@@ -4,33 +4,30 @@
 #include <stdexcept>
 
 #include "deploy/runtime/numbers/decompositions.h"
+#include "tuner_design/design/shared_tuners.h"
 #include "tuner_design/design/tuner_baselines.h"
 #include "tuner_design/search/row_space.h"
 
 namespace ehm::tuner_design {
 namespace {
 
-/// Row space nearest to several of one dimension: the t strongest directions of the weighted sum of their projectors.
-Eigen::MatrixXd mean_row_space(const std::vector<NamedTuners>& spaces, const std::vector<double>& weights) {
-  const Eigen::Index t = spaces.front().V.rows(), p = spaces.front().V.cols();
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p, p);
-  for (std::size_t i = 0; i < spaces.size(); ++i) sum += weights[i] * spaces[i].V.transpose() * spaces[i].V;
-  return row_space(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(sum).eigenvectors().rightCols(t).transpose());
-}
-
-/// Closed form of each point, for several points their mean first, then the SVD tuners of each.
+/// Closed form of each point, for several points that of all first, then the SVD tuners of each.
 std::vector<NamedTuners> starts_of(const Envelope& envelope, const std::vector<int>& sensors, Eigen::Index t) {
   std::vector<NamedTuners> closed, svd;
-  for (const PreparedPoint& point : envelope.points) {
+  std::vector<PointReadings> readings;
+  for (std::size_t i = 0; i < envelope.points.size(); ++i) {
+    const PreparedPoint& point = envelope.points[i];
     const Eigen::MatrixXd H = point.steady.H(sensors, Eigen::all);
     const std::string at = envelope.points.size() > 1 ? " at " + point.model.name : "";
     closed.push_back({"closed form H Ph" + at,
                       closed_form_tuners(H, lasting_noise(point.model, sensors), point.model.health_sigma, t)});
+    readings.push_back({H, lasting_noise(point.model, sensors), envelope.weights[i]});
     svd.push_back({"SVD of [H; Hz]" + at, svd_tuners(H, point.steady.Hz, t)});
   }
   std::vector<NamedTuners> starts;
   if (envelope.points.size() > 1)
-    starts.push_back({"mean of the closed forms", mean_row_space(closed, envelope.weights)});
+    starts.push_back(
+        {"closed form of all points", shared_tuners(readings, envelope.points.front().model.health_sigma, t)});
   starts.insert(starts.end(), closed.begin(), closed.end());
   starts.insert(starts.end(), svd.begin(), svd.end());
   return starts;
@@ -75,7 +72,8 @@ ChosenTuners choose_tuners(const Envelope& envelope, const std::vector<int>& sen
         {make_point_problem(point.model, point.steady, sensors, options.weights), envelope.weights[i]});
   }
   const std::vector<NamedTuners> starts = starts_of(envelope, sensors, t);
-  if (options.tuning == design::Tuning::closed_form || t == envelope.points.front().model.L.cols()) {
+  if (options.tuning == design::Tuning::closed_form || t == envelope.points.front().model.L.cols() ||
+      chosen.problem.points.front().problem.own_readout) {
     chosen.search.V = starts.front().V;
     return chosen;
   }

@@ -163,13 +163,14 @@ void add_errors_and_limits(Design& design, const PreparedPoint& point) {
   const Eigen::MatrixXd Ph = point.model.health_sigma.cwiseAbs2().asDiagonal();
   const Eigen::MatrixXd R = point.model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
   const Eigen::MatrixXd full = full_map_gain(H, Ph, R);
-  const Eigen::MatrixXd U = bayes_limit_factor(H, Ph);
+  design::FleetUnknowns unknowns = design::fleet_unknowns(point.model, point.steady);
+  unknowns.sensors = unknowns.sensors(design.full.sensors, Eigen::all).eval();
   const Eigen::MatrixXd reduced = reduced_map_gain(H, Ph, R, design.full.V);
   design.linearisation = {design.full.health_linearisation_covariance.diagonal(),
                           design.full.auxiliary_linearisation_covariance.diagonal()};
   design.ssee = {design.full.health_total_covariance.diagonal() - design.linearisation.health,
                  design.full.auxiliary_total_covariance.diagonal() - design.linearisation.auxiliary};
-  design.bayes_limit = {U.rowwise().squaredNorm(), (Hz * U).rowwise().squaredNorm()};
+  design.bayes_limit = steady_limit(unknowns);
   design.full_map = by_channel(snapshot_error_covariance(full, H, Ph, R), Hz);
   design.reduced_map = by_channel(snapshot_error_covariance(reduced, H, Ph, R), Hz);
 }

@@ -5,16 +5,16 @@ namespace ehm::tuner_design {
 
 const std::vector<FaultRow>& fault_table() {
   static const std::vector<FaultRow> table{
-      {"bias +5 sigma", Broken::bias, 5.0, true, 8.0, 1},
-      {"bias -5 sigma", Broken::bias, -5.0, true, 8.0, 1},
-      {"bias +10 sigma", Broken::bias, 10.0, true, 8.0, 1},
-      {"bias -10 sigma", Broken::bias, -10.0, true, 8.0, 1},
-      {"stuck", Broken::stuck, 0.0, true, 8.0, 1},
-      {"drift 10 sigma/min", Broken::drift, 10.0, false, 70.0, 1},
-      {"noise x 4", Broken::noise, 4.0, true, 8.0, 1},
-      {"dropout", Broken::dropout, 0.0, true, 8.0, 1},
-      {"component -2 %", Broken::component, -0.02, true, 10.0, 1},
-      {"nothing", Broken::nothing, 0.0, false, 10.0, 14},
+      {"bias +5 sigma", Broken::bias, 5.0, true, 8.0, 1, 5.0},
+      {"bias -5 sigma", Broken::bias, -5.0, true, 8.0, 1, 5.0},
+      {"bias +10 sigma", Broken::bias, 10.0, true, 8.0, 1, 5.0},
+      {"bias -10 sigma", Broken::bias, -10.0, true, 8.0, 1, 5.0},
+      {"stuck", Broken::stuck, 0.0, true, 8.0, 1, 10.0},
+      {"drift 10 sigma/min", Broken::drift, 10.0, false, 70.0, 1, 20.0},
+      {"noise x 4", Broken::noise, 4.0, true, 8.0, 1, 10.0},
+      {"dropout", Broken::dropout, 0.0, true, 8.0, 1, 50.0},
+      {"component -2 %", Broken::component, -0.02, true, 10.0, 1, 5.0},
+      {"nothing", Broken::nothing, 0.0, false, 10.0, 14, 0.0},
   };
   return table;
 }

@@ -22,6 +22,9 @@ struct FaultRow {
   bool abrupt;           ///< counts for the figures of abrupt faults
   double watched_s;      ///< after the onset
   std::size_t repeated;  ///< in a round, for each channel
+  /// How often it breaks in the field, each channel: assumed (orders of magnitude; the papers state none). Both signs
+  /// and sizes of a bias share one rate.
+  double per_million_hours;
 };
 
 /// For seven sensors and ten health parameters a round has 80 cases.

@@ -58,79 +58,6 @@ engine_sim::Scenario scenario_of(const StudyEngine& study, RandomStream& random)
   return scenario;
 }
 
-engine_sim::ScheduledFault sensor_fault(const FaultCase& what, double sigma, double onset_s, RandomStream& random) {
-  engine_sim::SensorFault fault{.start_s = onset_s};
-  switch (what.row->broken) {
-    case Broken::bias:
-      fault.kind = engine_sim::FaultKind::bias;
-      fault.magnitude = what.row->size * sigma;
-      break;
-    case Broken::drift:
-      fault.kind = engine_sim::FaultKind::drift;
-      fault.magnitude = (random.uniform() < 0.5 ? -1.0 : 1.0) * what.row->size * sigma / 60.0;
-      break;
-    case Broken::noise:
-      fault.kind = engine_sim::FaultKind::noise;
-      fault.magnitude = what.row->size;
-      break;
-    case Broken::stuck:
-      fault.kind = engine_sim::FaultKind::stuck;
-      break;
-    default:
-      fault.kind = engine_sim::FaultKind::dropout;
-  }
-  return {what.channel, fault};
-}
-
-void convert(const engine_sim::EngineSample& from, double time_s, monitor::Sample& to) {
-  to.schema = idl::schema_version;
-  to.source_id = 1;
-  to.sequence = from.sequence;
-  to.source_time_ns = std::llround(1e9 * time_s);
-  to.flight = {from.flight.altitude_m, from.flight.mach, from.flight.delta_isa_k};
-  to.sensor_count = static_cast<std::uint32_t>(from.sensors.size());
-  to.actuator_count = static_cast<std::uint32_t>(from.actuators.size());
-  std::copy(from.actuators.begin(), from.actuators.end(), to.actuator.begin());
-  to.sensor_valid = 0;
-  for (std::size_t i = 0; i < from.sensors.size(); ++i) {
-    to.sensor[i] = from.sensors[i].value;
-    to.sensor_valid |= static_cast<std::uint32_t>(from.sensors[i].valid) << i;
-  }
-}
-
-Answer answer_of(idl::EventKind kind) {
-  switch (kind) {
-    case idl::EventKind::sensor_fault:
-      return Answer::sensor;
-    case idl::EventKind::health_shift:
-      return Answer::component;
-    case idl::EventKind::ambiguous_fault:
-      return Answer::ambiguous;
-    case idl::EventKind::slow_bias:
-      return Answer::slow_bias;
-    default:
-      return Answer::nothing;
-  }
-}
-
-/// Writes down what the events of one sample answer.
-void note(const monitor::Event& event, double since_onset_s, bool broken, FaultOutcome& outcome) {
-  const Answer answer = answer_of(event.kind);
-  if (!event.raised || answer == Answer::nothing) return;
-  if (since_onset_s < 0.0 || !broken) {
-    ++outcome.false_alarms;
-    if (broken) return;
-  }
-  if (!outcome.delay_s) outcome.delay_s = since_onset_s;
-  // A drift may look like a component at first; the slow answer is the later and better one.
-  if (answer == Answer::slow_bias) outcome.answer = Answer::nothing;
-  const bool named = outcome.answer != Answer::nothing && outcome.answer != Answer::ambiguous;
-  if (named || (answer == Answer::ambiguous && outcome.answer != Answer::nothing)) return;
-  outcome.answer = answer;
-  outcome.channel = event.channel;
-  outcome.size = event.value;
-}
-
 FaultOutcome fly(const monitor::PreparedDesign& study, const engine_sim::Scenario& scenario, double onset_s,
                  double end_s, bool broken) {
   FaultOutcome outcome;
@@ -142,7 +69,7 @@ FaultOutcome fly(const monitor::PreparedDesign& study, const engine_sim::Scenari
     estimation::HealthVector before;
     for (int set = -1; flight->time_s() < end_s;) {
       const double now_s = flight->time_s();
-      convert(flight->next_sample(), now_s, sample);
+      to_sample(flight->next_sample(), now_s, sample);
       cycle.process(sample);
       const double since_onset_s = 1e-9 * static_cast<double>(sample.source_time_ns) - onset_s;
       if (const int now = cycle.watch().filter().sensor_set().missing(); now != set) {
@@ -153,7 +80,7 @@ FaultOutcome fly(const monitor::PreparedDesign& study, const engine_sim::Scenari
       }
       before = cycle.watch().filter().health();
       if (since_onset_s < 0.0 && !cycle.result().estimates) return {};
-      for (const monitor::Event& event : cycle.events()) note(event, since_onset_s, broken, outcome);
+      for (const monitor::Event& event : cycle.events()) note_answer(event, since_onset_s, broken, outcome);
       cycle.clear_events();
     }
   } catch (const engine_sim::FlightError&) {
@@ -188,7 +115,8 @@ FaultOutcome fly_case(const StudyEngine& study, const FaultCase& what, std::uint
         {onset_s, study.engine->channels.health[what.channel].parameter, what.row->size, 0.0});
   else if (what.row->broken != Broken::nothing)
     scenario.faults.push_back(
-        sensor_fault(what, study.prepared.design->model.sensor_noise_sigma(channel), onset_s, random));
+        {what.channel, sensor_fault(*what.row, study.prepared.design->model.sensor_noise_sigma(channel), onset_s,
+                                    random.uniform() < 0.5 ? -1.0 : 1.0)});
   return fly(study.prepared, scenario, onset_s, onset_s + what.row->watched_s, what.row->broken != Broken::nothing);
 }
 

@@ -8,25 +8,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include "engine_sim/engines/engine_definition.h"
 #include "monitor/cycle/prepared_design.h"
+#include "tuner_design/faults/fault_answer.h"
 #include "tuner_design/faults/fault_case.h"
 
 namespace ehm::tuner_design {
-
-enum class Answer { nothing, sensor, component, ambiguous, slow_bias };
-
-struct FaultOutcome {
-  bool flown = false;                ///< false: no steady point, or too far off the design to estimate
-  Answer answer = Answer::nothing;   ///< the first name; ambiguous only if no name came
-  std::size_t channel = 0;           ///< of the answer: sensor or health parameter
-  std::optional<double> delay_s;     ///< from the onset to whatever was said first
-  double size = 0.0;                 ///< as the event says, channel units
-  double largest_step_sigmas = 0.0;  ///< of a health estimate when another sensor set took over, in published sigmas
-  int false_alarms = 0;              ///< before the onset, or with nothing broken
-};
 
 /// What flies, and before which design.
 struct StudyEngine {

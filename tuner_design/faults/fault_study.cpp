@@ -13,22 +13,10 @@ namespace {
 constexpr double healthy_flight_s = 600.0;
 constexpr std::uint64_t healthy_from = 1u << 30;  ///< index of the first engine with nothing broken
 
-bool right(const FaultCase& what, const FaultOutcome& outcome) {
-  switch (what.row->broken) {
-    case Broken::nothing:
-      return outcome.answer == Answer::nothing;
-    case Broken::component:
-      return outcome.answer == Answer::component;
-    default:
-      return (outcome.answer == Answer::sensor || outcome.answer == Answer::slow_bias) &&
-             outcome.channel == what.channel;
-  }
-}
-
 void count(const FaultCase& what, const FaultOutcome& outcome, FaultRowSummary& summary) {
   ++summary.flown;
   summary.found_in_time += outcome.delay_s.has_value() && *outcome.delay_s <= abrupt_limit_s;
-  if (right(what, outcome)) {
+  if (is_right(what, outcome)) {
     ++summary.right;
     return;
   }

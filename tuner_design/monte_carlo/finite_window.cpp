@@ -53,12 +53,12 @@ Loop loop_of(const design::Design& design, bool process_noise) {
     loop.start.topLeftCorner(n, n) = linear_model::stationary_covariance(model.A, model.process_noise);
   }
 
-  loop.health.of_estimate.setZero(p, a);  // Th = [0, W]
-  loop.health.of_estimate.rightCols(t) = filter.W;
+  loop.health.of_estimate.setZero(p, a);  // Th = [0, Rh]
+  loop.health.of_estimate.rightCols(t) = filter.health_readout;
   loop.health.truth.setIdentity(p, p);
   loop.health.of_truth_error.setZero(p, r);
-  loop.auxiliary.of_estimate.resize(r, a);  // Tz = [F, N W]
-  loop.auxiliary.of_estimate << model.F, model.N * filter.W;
+  loop.auxiliary.of_estimate.resize(r, a);  // Tz = [F, Rz]
+  loop.auxiliary.of_estimate << model.F, filter.auxiliary_readout;
   loop.auxiliary.truth = loop.steady.Hz;
   loop.auxiliary.of_truth_error.setIdentity(r, r);
   return loop;

@@ -14,7 +14,7 @@ namespace ehm::tuner_design {
 /// slowest_time_constant_s}; the ratios are null where the limit is 0, the time constant where there is none.
 nlohmann::ordered_json baselines_as_json(const design::Design& design, const std::vector<Baseline>& table);
 
-void print_baselines(const design::Design& design, const std::vector<Baseline>& table, std::ostream& out);
+void print_baselines(const std::vector<Baseline>& table, std::ostream& out);
 
 /// baseline,description,slowest_time_constant_s,ssee_health,ssee_auxiliary, then one column a channel; empty where
 /// there is no time constant.

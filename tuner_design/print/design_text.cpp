@@ -180,9 +180,10 @@ void print_design(const Design& design, std::ostream& out) {
       << " s; slowest time constant " << figure(design.full.slowest_time_constant_s, 0) << " s\n";
   print_errors(design, out);
   print_missing(design, out);
-  out << "\n  SSEE / limit: health " << ratio(design.ssee.health.sum(), design.bayes_limit.health.sum());
+  const design::ErrorByChannel real = design.real_error();
+  out << "\n  " << (design.linearisation.health.sum() > 0.0 ? "(SSEE + nonlinear)" : "SSEE") << " / limit: health " << ratio(real.health.sum(), design.bayes_limit.health.sum());
   if (!design.model.auxiliary.empty()) {
-    out << ", auxiliary " << ratio(design.ssee.auxiliary.sum(), design.bayes_limit.auxiliary.sum());
+    out << ", auxiliary " << ratio(real.auxiliary.sum(), design.bayes_limit.auxiliary.sum());
   }
   out << '\n';
   print_certificate(design.certificate, out);

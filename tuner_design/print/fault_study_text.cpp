@@ -61,22 +61,6 @@ const std::string& channel_name(const FaultStudy& study, bool health, std::size_
   return health ? study.health[channel] : study.sensors[channel];
 }
 
-const char* name_of(Answer answer) {
-  switch (answer) {
-    case Answer::sensor:
-      return "sensor";
-    case Answer::component:
-      return "component";
-    case Answer::ambiguous:
-      return "ambiguous";
-    case Answer::slow_bias:
-      return "slow_bias";
-    case Answer::nothing:
-      break;
-  }
-  return "nothing";
-}
-
 void print_figure(std::ostream& out, const char* what, double share, double asked) {
   out << fmt::format("  {:<58} {:6.1f} %   asked {:.0f} %\n", what, 100.0 * share, 100.0 * asked);
 }

@@ -45,7 +45,7 @@ StepResponse step_response(const design::SubsetDesign& filter, const linear_mode
   StepResponse response;
   for (double at = 0.0; at <= samples + 0.5 * static_cast<double>(stride); at += static_cast<double>(stride)) {
     response.time_s.push_back(at * model.sample_time_s);
-    response.estimate.emplace_back(filter.W * state.middleRows(n + f - t, t));
+    response.estimate.emplace_back(filter.health_readout * state.middleRows(n + f - t, t));
     state = (Phi * state).eval();
   }
   return response;

@@ -66,11 +66,16 @@ std::pair<double, double> ratios(const SearchProblem& problem, const SearchPoint
   return {health, objective(one, V)};
 }
 
-void decide(design::Certificate& c, bool nothing_to_choose) {
+void decide(design::Certificate& c, bool nothing_to_choose, bool read_off) {
   std::ostringstream text;
   text.precision(3);
   c.at_optimum = false;
-  if (nothing_to_choose) {
+  if (read_off) {
+    c.at_optimum = true;
+    text << "not searched: the estimate of least error is read off the tuners of the closed form, and no tuners could "
+            "gain more than the "
+         << 100.0 * (c.objective / c.lower_bound - 1.0) << " % that are left to the limit";
+  } else if (nothing_to_choose) {
     c.at_optimum = true;
     text << "nothing to choose: as many tuners as health parameters";
   } else if (!(c.possible_gain <= gain_is_nothing * c.objective)) {
@@ -107,8 +112,13 @@ void certify(design::Certificate& certificate, const SearchProblem& problem, con
     weights += point.weight;
   }
   certificate.lower_bound /= weights;
-  add_curvature(certificate, problem, V);
-  decide(certificate, V.rows() == V.cols());
+  const bool read_off = problem.points.front().problem.own_readout && problem.estimator == Estimator::kalman;
+  if (read_off) {
+    certificate.possible_gain = certificate.objective - certificate.lower_bound;
+  } else {
+    add_curvature(certificate, problem, V);
+  }
+  decide(certificate, V.rows() == V.cols(), read_off);
 }
 
 }  // namespace ehm::tuner_design

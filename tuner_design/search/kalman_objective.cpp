@@ -6,6 +6,7 @@
 
 #include "monitor/estimation/linear/doubling.h"
 #include "monitor/estimation/linear/small_product.h"
+#include "tuner_design/theory/read_out.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -51,7 +52,12 @@ void augment(const PointProblem& point, const HealthByTuner& W, Forward& f) {
   f.T.topRightCorner(p, t) = W;
   f.T.bottomLeftCorner(r, n) = point.F;
   f.T.bottomRightCorner(r, t).noalias() = point.N.lazyProduct(W);
-  f.weighted_T.resize(p + r, n + t);
+}
+
+/// Omega T and T^T Omega T.
+void weigh_outputs(const PointProblem& point, Forward& f) {
+  const Eigen::Index p = point.Gh.rows(), r = point.Gz.rows();
+  f.weighted_T.resize(p + r, f.T.cols());
   f.weighted_T.topRows(p) = point.health_weight * f.T.topRows(p);
   f.weighted_T.bottomRows(r) = point.auxiliary_weight.asDiagonal() * f.T.bottomRows(r);
   estimation::multiply(f.output_weight, f.T.transpose(), f.weighted_T);
@@ -83,9 +89,8 @@ bool close_loop(const PointProblem& point, double qh, Forward& f) {
   return true;
 }
 
-/// X, Z and J.
-double error(const PointProblem& point, const estimation::doubling::Powers<StateMatrix>& powers, Forward& f) {
-  const Eigen::Index p = point.Gh.rows(), r = point.Gz.rows();
+/// X and Z.
+void settle(const PointProblem& point, const estimation::doubling::Powers<StateMatrix>& powers, Forward& f) {
   StateMatrix difference = -f.closed_loop;
   difference.diagonal().array() += 1.0;
   f.one_minus_closed_loop.compute(difference);
@@ -99,7 +104,12 @@ double error(const PointProblem& point, const estimation::doubling::Powers<State
   f.driven.noalias() = f.I_KC.leftCols(n).lazyProduct(point.process_noise);
   f.noise.noalias() += f.driven.lazyProduct(f.I_KC.leftCols(n).transpose());
   powers.solve(f.noise);
+}
 
+/// J.
+double error(const PointProblem& point, Forward& f) {
+  const Eigen::Index p = point.Gh.rows(), r = point.Gz.rows();
+  weigh_outputs(point, f);
   OutputByUnknown miss;
   estimation::multiply(miss, f.T, f.mean);
   miss.topRows(p) -= point.Gh;
@@ -174,14 +184,16 @@ HealthByTuner backward(const PointProblem& point, const estimation::doubling::Po
   estimation::multiply(left, f.A.transpose(), phi_A);
   C_bar.noalias() -= 2.0 * f.K.transpose().lazyProduct(left);
 
-  // Tb = 2 Omega D X^T + 2 Omega T Z
-  OutputByState T_bar;
-  estimation::multiply(T_bar, f.weighted_miss, f.mean.transpose());
-  T_bar.noalias() += f.weighted_T.lazyProduct(f.noise);
-  T_bar *= 2.0;
-
-  HealthByTuner W_bar = T_bar.topRightCorner(p, t);
-  W_bar.noalias() += point.N.transpose().lazyProduct(T_bar.bottomRightCorner(r, t));
+  HealthByTuner W_bar = HealthByTuner::Zero(p, t);
+  if (!point.own_readout) {  // one of least error has no slope
+    // Tb = 2 Omega D X^T + 2 Omega T Z
+    OutputByState T_bar;
+    estimation::multiply(T_bar, f.weighted_miss, f.mean.transpose());
+    T_bar.noalias() += f.weighted_T.lazyProduct(f.noise);
+    T_bar *= 2.0;
+    W_bar = T_bar.topRightCorner(p, t);
+    W_bar.noalias() += point.N.transpose().lazyProduct(T_bar.bottomRightCorner(r, t));
+  }
   W_bar.noalias() += point.L.transpose().lazyProduct(A_bar.topRightCorner(n, t));
   W_bar.noalias() += point.M.transpose().lazyProduct(C_bar.rightCols(t));
   return W_bar;
@@ -197,7 +209,9 @@ std::optional<double> kalman_objective(const PointProblem& point, const Eigen::M
   if (!close_loop(point, qh_percent2, f)) return std::nullopt;
   const estimation::doubling::Powers<StateMatrix> powers(f.closed_loop);
   if (!powers.converged()) return std::nullopt;
-  const double value = error(point, powers, f);
+  settle(point, powers, f);
+  if (point.own_readout && !set_read_out(f.T, f.mean, f.noise, point.Gh, point.Gz, V.rows())) return std::nullopt;
+  const double value = error(point, f);
   if (gradient != nullptr) {
     HealthByTuner W_bar = backward(point, powers, f);
     // What lies in the row space changes nothing: W_bar <- (I - W W^T) W_bar

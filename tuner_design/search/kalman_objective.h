@@ -6,6 +6,7 @@
 //   P    Riccati,  K = P Cxq^T S^-1,  S = Cxq P Cxq^T + R,  Acl = (I - K Cxq) Axq
 //   X    = (I - Acl)^-1 K Gy                         mean of [x; q] per unknown of the fleet
 //   Z    = Acl Z Acl^T + K R K^T + (I - K Cxq) Qw (I - K Cxq)^T     noise, Qw = blkdiag(Q, 0): kalman_error.h
+//   T    for a model that knows its linearisation error: [0 Rh; F Rz] of read_out.h, which has no slope where it is best
 //   J    = <D, Omega D> + <T^T Omega T, Z>,  D = T X - [Gh; Gz],  Omega = diag(wh I, wz)
 // Backwards (bars are derivatives of J): one linear solve and two more Lyapunov equations on the same powers of Acl,
 //   U    = (I - Acl)^-T 2 T^T Omega D,   Y = Acl^T Y Acl + T^T Omega T

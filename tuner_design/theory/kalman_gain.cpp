@@ -14,6 +14,8 @@ design::SubsetDesign kalman_gain(const linear_model::LinearModel& model, const s
   design.sensors = sensors;
   design.V = V;
   design.W = right_inverse(V);
+  design.health_readout = design.W;
+  design.auxiliary_readout = model.N * design.W;
   design.A.setIdentity(n + t, n + t);
   design.A.topLeftCorner(n, n) = model.A;
   design.A.topRightCorner(n, t) = model.L * design.W;

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "deploy/runtime/numbers/index.h"
-#include "engine_sim/linear_model/stationary_covariance.h"
+#include "monitor/design/fleet_unknowns.h"
 #include "tuner_design/theory/bayes_limit.h"
 
 namespace ehm::tuner_design {
@@ -25,24 +26,6 @@ void check_weights(const design::ErrorWeights& weights, Eigen::Index outputs) {
                                              *std::max_element(weights.channel.begin(), weights.channel.end()) > 0.0);
   if (weights.health == 0.0 && (weights.auxiliary == 0.0 || !outputs_count))
     throw std::invalid_argument("weights: all are zero, nothing is left to be good at");
-}
-
-/// Gh, Gy, Gz: the fleet's health, and the linearisation error where it is known.
-void add_unknowns(PointProblem& point, const linear_model::LinearModel& model, const std::vector<int>& sensors) {
-  const Eigen::Index p = model.L.cols(), m = model.C.rows(), r = model.F.rows();
-  const auto used = as_index(sensors.size());
-  const Eigen::Index more = model.linearisation_error.size() > 0 ? m + r : 0;
-  const Eigen::MatrixXd sigma = model.health_sigma.asDiagonal();
-  point.Gh.setZero(p, p + more);
-  point.Gy.setZero(used, p + more);
-  point.Gz.setZero(r, p + more);
-  point.Gh.leftCols(p) = sigma;
-  point.Gy.leftCols(p) = point.H * sigma;
-  point.Gz.leftCols(p) = point.Hz * sigma;
-  if (more == 0) return;
-  const Eigen::MatrixXd error = linear_model::covariance_root(model.linearisation_error);
-  point.Gy.rightCols(more) = error(sensors, Eigen::all);
-  point.Gz.rightCols(more) = error.bottomRows(r);
 }
 
 }  // namespace
@@ -64,26 +47,30 @@ PointProblem make_point_problem(const linear_model::LinearModel& model, const es
   point.health_covariance = model.health_sigma.cwiseAbs2().asDiagonal();
   point.H = steady.H(sensors, Eigen::all);
   point.Hz = steady.Hz;
-  add_unknowns(point, model, sensors);
+  design::FleetUnknowns unknowns = design::fleet_unknowns(model, steady);
+  unknowns.sensors = unknowns.sensors(sensors, Eigen::all).eval();
+  const design::ErrorByChannel limit = steady_limit(unknowns);
+  point.Gh = std::move(unknowns.health);
+  point.Gy = std::move(unknowns.sensors);
+  point.Gz = std::move(unknowns.auxiliary);
+  point.own_readout = model.linearisation_error.size() > 0;
 
   constexpr double vanishes = 1e-9;  // of the prior
   Eigen::VectorXd channel = Eigen::VectorXd::Ones(r);
   std::copy(weights.channel.begin(), weights.channel.end(), channel.begin());
-  const Eigen::MatrixXd U = bayes_limit_factor(point.H, point.health_covariance);
-  const Eigen::VectorXd seen = (steady.Hz * U).rowwise().squaredNorm();
   const Eigen::VectorXd prior = (steady.Hz * model.health_sigma.asDiagonal()).rowwise().squaredNorm();
-  const auto divisor = [&](double limit, double fleet) {
-    if (limit > vanishes * fleet) return limit;
+  const auto divisor = [&](double least, double fleet) {
+    if (least > vanishes * fleet) return least;
     point.limit_is_prior = point.limit_is_prior || fleet > 0.0;
     return fleet;
   };
-  point.health_limit = divisor(U.squaredNorm(), point.health_covariance.trace());
+  point.health_limit = divisor(limit.health.sum(), point.health_covariance.trace());
   point.health_weight = weights.health / point.health_limit;
-  const double auxiliary_limit = divisor(channel.dot(seen), channel.dot(prior));
+  const double auxiliary_limit = divisor(channel.dot(limit.auxiliary), channel.dot(prior));
   point.auxiliary_ratio = Eigen::VectorXd::Zero(r);
   if (auxiliary_limit > 0.0) point.auxiliary_ratio = channel / auxiliary_limit;
   point.auxiliary_weight = weights.auxiliary * point.auxiliary_ratio;
-  point.lower_bound = point.health_weight * U.squaredNorm() + point.auxiliary_weight.dot(seen);
+  point.lower_bound = point.health_weight * limit.health.sum() + point.auxiliary_weight.dot(limit.auxiliary);
   return point;
 }
 

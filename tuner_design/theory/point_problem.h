@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // One operating point as a search sees it, in scaled units, with the sensors of one design. The fleet is k independent
-// unknowns e of unit variance: health, and what the engine's nonlinearity adds (error_propagation.h). With them
-//   h = Gh e  (p x k)      steady sensors Gy e  (m x k)      outputs Gz e  (r x k)
+// unknowns e of unit variance, h = Gh e, steady sensors Gy e, outputs Gz e (monitor/design/fleet_unknowns.h),
 // and the objective of a linear estimate with the errors eh (of h) and ez (of z) is
 //   J = wh E|eh|^2 + sum_i wz_i E ez_i^2,      wh = w_h / limit(h),  wz_i = w_z w_i / limit(z)
 // so that J = w_h + w_z at the Bayes limit, if no limit vanishes. A total limit of (nearly) zero cannot divide: then
@@ -26,6 +25,7 @@ struct PointProblem {
   Eigen::MatrixXd health_covariance;  ///< Ph
   Eigen::MatrixXd H, Hz;              ///< steady gains of the sensors used and of the outputs
   Eigen::MatrixXd Gh, Gy, Gz;
+  bool own_readout = false;          ///< the model knows its linearisation error: estimates are read off by read_out.h
   double health_weight = 0.0;        ///< wh
   Eigen::VectorXd auxiliary_weight;  ///< wz
   double health_limit = 0.0;         ///< limit(h), what w_h was divided by

@@ -29,20 +29,21 @@ std::string what_was_designed(const ReportData& data) {
 
 std::string how_near(const ReportData& data) {
   const auto& design = data.design;
-  const double h = design.ssee.health.sum(), limit_h = design.bayes_limit.health.sum();
-  const double z = design.ssee.auxiliary.sum(), limit_z = design.bayes_limit.auxiliary.sum();
+  const design::ErrorByChannel real = design.real_error();
+  const double h = real.health.sum(), limit_h = design.bayes_limit.health.sum();
+  const double z = real.auxiliary.sum(), limit_z = design.bayes_limit.auxiliary.sum();
   std::string text = "The expected squared error of health is " + quantity(h, "percent²");
   if (has_limit(h, limit_h)) {
     text += ", " + number(h / limit_h, 4) + " times the Bayes limit";
     if (!design.model.auxiliary.empty() && has_limit(z, limit_z))
       text += "; that of the auxiliary outputs is " + number(z / limit_z, 4) + " times theirs";
-    text += ". No estimator that sees only steady data of this operating point can pass these limits.";
+    text += ". No linear estimator that sees only steady data of this operating point can pass these limits.";
   } else {
     text += ", all of it noise and lag: endless averaging would leave nothing.";
   }
   const double nonlinear = design.linearisation.health.sum();
   if (nonlinear > 0.0)
-    text += " What the linear model misses of the real engine adds " + quantity(nonlinear, "percent²") + ".";
+    text += " Of it " + quantity(nonlinear, "percent²") + " is what the linear model misses of the real engine.";
   return text;
 }
 
@@ -85,10 +86,11 @@ Section summary_section(const ReportData& data) {
                    quantity(design.full.slowest_time_constant_s, "s") + ".");
   const std::string care = warning(data);
   if (!care.empty()) section.add_text(care);
+  const design::ErrorByChannel real = design.real_error();
   std::vector<KeyFigure> key{
-      against_limit(design.ssee.health.sum(), design.bayes_limit.health.sum(), "percent²", "squared error of health")};
+      against_limit(real.health.sum(), design.bayes_limit.health.sum(), "percent²", "squared error of health")};
   if (!design.model.auxiliary.empty())
-    key.push_back(against_limit(design.ssee.auxiliary.sum(), design.bayes_limit.auxiliary.sum(), "mixed units",
+    key.push_back(against_limit(real.auxiliary.sum(), design.bayes_limit.auxiliary.sum(), "mixed units",
                                 "squared error of auxiliary outputs"));
   const double prior = data.health.prior.sum(), total = data.health.total.sum();
   key.push_back({number(100.0 * (1.0 - total / prior), 3), "%", "of the fleet's health variance explained"});

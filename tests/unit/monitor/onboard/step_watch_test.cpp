@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "deploy/runtime/numbers/noise_source.h"
@@ -29,12 +30,19 @@ class LearnedFilter : public ::testing::Test {
   }
 
   /// Takes so many seconds of innovations with this mean; the seconds until something was found, or -1.
-  double watch(const SensorVector& mean, double seconds, SensorMask fused) {
+  double watch(const SensorVector& mean, double seconds, SensorMask in_use) {
+    return watch(mean, seconds, in_use, [](int, SensorVector&) {});
+  }
+  /// The same with every sample through `spoil(k, innovation)`.
+  template <class Spoil>
+  double watch(const SensorVector& mean, double seconds, SensorMask in_use, const Spoil& spoil) {
     const double dt_s = point_.model->options().sample_time_s;
+    estimation::Innovation percent{mean, SensorVector::Constant(m_, noise_ * noise_)};
     for (int k = 1; k * dt_s <= seconds; ++k) {
-      SensorVector innovation = mean;
-      for (Eigen::Index i = 0; i < m_; ++i) innovation(i) += noise_ * random_.normal();
-      if (watch_.take(innovation, fused, point_.tangent, covariance_, doubt_)) return k * dt_s;
+      percent.value = mean;
+      for (Eigen::Index i = 0; i < m_; ++i) percent.value(i) += noise_ * random_.normal();
+      spoil(k, percent.value);
+      if (watch_.take(percent, in_use, point_.tangent, covariance_, doubt_)) return k * dt_s;
     }
     return -1.0;
   }
@@ -96,7 +104,24 @@ TEST_F(LearnedFilter, WhatNoSingleCauseExplainsIsNotFound) {
   EXPECT_GT(mixed, 10);  // of 21 pairs; the others look like a parameter
 }
 
-TEST_F(LearnedFilter, ASensorThatIsNotFusedTellsNothing) {
+TEST_F(LearnedFilter, SpikesOfASensorAreNoStep) {
+  const auto spikes = [](int k, SensorVector& innovation) {
+    if (k % 60 == 0) innovation(2) += 1000.0;
+  };
+  EXPECT_LT(watch(SensorVector::Zero(m_), 120.0, all_, spikes), 0.0);
+}
+
+TEST_F(LearnedFilter, ABiasIsFoundThoughReadingsAreMissing) {
+  const auto gaps = [](int k, SensorVector& innovation) {
+    if (k % 3 == 0) innovation(2) = std::numeric_limits<double>::quiet_NaN();
+  };
+  const double after_s = watch(5.0 * noise_ * SensorVector::Unit(m_, 2), 20.0, all_, gaps);
+  EXPECT_GT(after_s, 0.0);
+  EXPECT_LT(after_s, 5.0);
+  EXPECT_GT(watch_.finding().sensor(2), 0.99);
+}
+
+TEST_F(LearnedFilter, ASensorThatIsNotInUseTellsNothing) {
   SensorMask others = all_;
   others.reset(6);
   EXPECT_LT(watch(5.0 * SensorVector::Unit(m_, 6), 60.0, others), 0.0);
