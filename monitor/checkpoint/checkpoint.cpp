@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/checkpoint/checkpoint.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -76,9 +77,20 @@ estimation::EstimatorState state_from_json(JsonObject& object, bool has_hold) {
 
 Json companions_to_json(const std::vector<CompanionState>& companions) {
   Json json = Json::object();
-  for (const CompanionState& companion : companions)  // one that has no state to keep begins cold
-    if (companion.state.estimate.size() > 0) state_to_json(companion.state, json[std::string(companion.name)]);
+  for (const auto& [name, state] : companions) {  // one that has no state to keep begins cold
+    if (state.estimate.size() > 0) state_to_json(state, json[std::string(name)]);
+    if (!state.learned.empty())
+      json[std::string(name)]["learned"] = state_json::learned_to_json(state.learned, "checkpoint", "learned");
+  }
   return json;
+}
+
+/// As long as the value that it states.
+estimation::EstimatorState learned_state_from_json(JsonObject& object) {
+  JsonObject learned(object.at("learned"), object.file(), object.key("learned"));
+  estimation::EstimatorState state;
+  state.learned = state_json::learned_from_json(object, "learned", length(learned, "value", estimation::max_learned));
+  return state;
 }
 
 std::vector<CompanionState> companions_from_json(JsonObject& root) {
@@ -89,7 +101,8 @@ std::vector<CompanionState> companions_from_json(JsonObject& root) {
     if (known.empty() || known == design::tuner_name)
       state_json::defect(root, "companions", name, "estimators beside the tuner filter, of " + design::known_names());
     JsonObject companion(object.at(name), root.file(), object.key(name));
-    companions.push_back({known, state_from_json(companion, true)});
+    companions.push_back({known, companion.find("learned") != nullptr ? learned_state_from_json(companion)
+                                                                      : state_from_json(companion, true)});
     companion.refuse_unknown();
   }
   return companions;
@@ -131,14 +144,13 @@ void read_source(JsonObject& root, CycleState& state) {
   object.refuse_unknown();
 }
 
-/// Schema and hash. @returns whether it is of the present schema.
+/// Schema and hash. @returns whether it is of a schema that has companions.
 bool verify(JsonObject& root, Json content) {
   const std::string schema = root.text("schema");
-  if (schema != checkpoint_schema && schema != checkpoint_schema_before)
-    state_json::defect(root, "schema", schema,
-                       std::string("\"") + checkpoint_schema + "\" or \"" + checkpoint_schema_before + "\"");
+  if (std::find(checkpoint_schemas.begin(), checkpoint_schemas.end(), schema) == checkpoint_schemas.end())
+    state_json::defect(root, "schema", schema, std::string(checkpoint_schema) + ", or one of the versions before it");
   state_json::require_hash(root, std::move(content));
-  return schema == checkpoint_schema;
+  return schema != checkpoint_schemas.front();
 }
 
 }  // namespace
@@ -160,16 +172,16 @@ std::string to_text(const Checkpoint& c) {
 Checkpoint parse_checkpoint(std::string_view text, const std::string& file) {
   const Json json = files::parse_json_text(std::string(text), file);
   JsonObject root(json, file, "");
-  const bool present_schema = verify(root, json);
+  const bool has_companions = verify(root, json);
   Checkpoint c;
   c.engine_id = state_json::integer<std::uint32_t>(root, "engine_id", 1, std::numeric_limits<std::uint32_t>::max());
   c.design_hash = root.text("design");
   c.wall_time_ns = state_json::integer<std::int64_t>(root, "wall_time_ns", 0, std::numeric_limits<std::int64_t>::max());
   read_source(root, c.state);
   c.state.excluded = excluded_from_json(root);
-  c.state.watch = state_from_json(root, present_schema);
+  c.state.watch = state_from_json(root, has_companions);
   c.state.return_gate = return_gate_from_json(root);
-  if (present_schema) c.state.companions = companions_from_json(root);
+  if (has_companions) c.state.companions = companions_from_json(root);
   root.refuse_unknown();
   return c;
 }

@@ -2,10 +2,12 @@
 #pragma once
 // One engine's checkpoint: the state of its cycle, and to which engine, design and moment it belongs.
 //
-// As a file: JSON, schema "ehm-checkpoint/2", numbers in shortest exact form, and the SHA-256 of the content without
-// the hash itself, as in a design file. Anyone may read it; nobody should edit it. "ehm-checkpoint/1" of earlier versions
-// is read too: it is the same without companions and held_samples.
+// As a file: JSON, schema "ehm-checkpoint/3", numbers in shortest exact form, and the SHA-256 of the content without
+// the hash itself, as in a design file. Anyone may read it; nobody should edit it. Earlier versions are
+// read too: "ehm-checkpoint/2", in which no companion has a key learned, and "ehm-checkpoint/1", which has no companions
+// and no held_samples.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -14,8 +16,9 @@
 
 namespace ehm::monitor {
 
-inline constexpr const char* checkpoint_schema = "ehm-checkpoint/2";
-inline constexpr const char* checkpoint_schema_before = "ehm-checkpoint/1";
+inline constexpr std::array<std::string_view, 3> checkpoint_schemas{"ehm-checkpoint/1", "ehm-checkpoint/2",
+                                                                    "ehm-checkpoint/3"};
+inline constexpr std::string_view checkpoint_schema = checkpoint_schemas.back();
 
 struct Checkpoint {
   std::uint32_t engine_id = 0;

@@ -43,4 +43,21 @@ void require_covariance(const files::JsonObject& object, const Eigen::MatrixXd& 
     defect(object, "covariance", least, "a least eigenvalue of 0 or more");
 }
 
+files::Json learned_to_json(const estimation::Learned& learned, const std::string& file, const std::string& key) {
+  return {{"value", files::vector_to_json(learned.value, file, key + ".value")},
+          {"covariance", files::to_json(learned.covariance, file, key + ".covariance")}};
+}
+
+estimation::Learned learned_from_json(files::JsonObject& root, const std::string& key, Eigen::Index length) {
+  files::JsonObject object(root.at(key), root.file(), root.key(key));
+  estimation::Learned learned;
+  learned.value = object.vector("value", length);
+  learned.covariance = object.matrix("covariance", length, length);
+  object.refuse_unknown();
+  require_moderate(object, "value", learned.value);
+  require_moderate(object, "covariance", learned.covariance);
+  require_covariance(object, learned.covariance);
+  return learned;
+}
+
 }  // namespace ehm::monitor::state_json

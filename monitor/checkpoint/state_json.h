@@ -11,6 +11,7 @@
 
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/files/json_object.h"
+#include "monitor/estimation/learned.h"
 
 namespace ehm::monitor::state_json {
 
@@ -44,5 +45,10 @@ void require_moderate(const files::JsonObject& object, const std::string& name, 
 /// The value at "covariance": symmetric, and no direction has a negative variance, but for rounding: else the filter's
 /// gains would mean nothing.
 void require_covariance(const files::JsonObject& object, const Eigen::MatrixXd& covariance);
+
+/// {value, covariance}. `file` and `key` are only named where a number is not finite.
+files::Json learned_to_json(const estimation::Learned& learned, const std::string& file, const std::string& key);
+/// That of the key; of this length.
+estimation::Learned learned_from_json(files::JsonObject& root, const std::string& key, Eigen::Index length);
 
 }  // namespace ehm::monitor::state_json

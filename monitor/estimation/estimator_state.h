@@ -6,6 +6,8 @@
 //   tuner          [x; q] of the set in use    M, S of error_propagation.h
 //   gauss_markov   [x; h]                      M, S of the set in use
 //   time_varying   [x; h]                      D and P of time_varying_filter.h in the places of M and S
+//   onboard        none: what the flight has taught so far (learned.h), from which it begins anew, its speeds measured
+//                  and its metal's temperatures in doubt, as after any start in flight
 //
 // M and D are the same: E[xhat - [x; h] | what is unknown but constant]. Not kept, since the next sample brings it: the
 // innovations, the actuators, what widen() was told.
@@ -14,6 +16,7 @@
 
 #include "monitor/estimation/capacity.h"
 #include "monitor/estimation/error_propagation.h"
+#include "monitor/estimation/learned.h"
 
 namespace ehm::estimation {
 
@@ -22,6 +25,7 @@ struct EstimatorState {
   std::int64_t held_samples = 0;  ///< since the error's theory went on, while a sensor holds its values
   AugmentedVector estimate = {};
   ErrorState error = {};
+  Learned learned = {};  ///< of length 0 where the estimator keeps a state in its place
 };
 
 }  // namespace ehm::estimation

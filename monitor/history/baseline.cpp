@@ -14,23 +14,6 @@ namespace {
 using files::Json;
 using files::JsonObject;
 
-Json learned_to_json(const estimation::Learned& learned, const std::string& key) {
-  return {{"value", files::vector_to_json(learned.value, "baseline", key + ".value")},
-          {"covariance", files::to_json(learned.covariance, "baseline", key + ".covariance")}};
-}
-
-estimation::Learned learned_from_json(JsonObject& root, const std::string& key, Eigen::Index length) {
-  JsonObject object(root.at(key), root.file(), root.key(key));
-  estimation::Learned learned;
-  learned.value = object.vector("value", length);
-  learned.covariance = object.matrix("covariance", length, length);
-  object.refuse_unknown();
-  state_json::require_moderate(object, "value", learned.value);
-  state_json::require_moderate(object, "covariance", learned.covariance);
-  state_json::require_covariance(object, learned.covariance);
-  return learned;
-}
-
 std::vector<std::string> names_from_json(JsonObject& root) {
   const Json& array = root.array("names");
   if (array.empty() || array.size() > as_size(estimation::max_learned))
@@ -53,8 +36,8 @@ std::string to_text(const Baseline& b) {
                                   {"flights", b.flights},
                                   {"flights_of_first", b.flights_of_first},
                                   {"landing_ns", b.landing_ns},
-                                  {"first", learned_to_json(b.first, "first")},
-                                  {"latest", learned_to_json(b.latest, "latest")}});
+                                  {"first", state_json::learned_to_json(b.first, "baseline", "first")},
+                                  {"latest", state_json::learned_to_json(b.latest, "baseline", "latest")}});
 }
 
 Baseline parse_baseline(std::string_view text, const std::string& file) {
@@ -72,8 +55,8 @@ Baseline parse_baseline(std::string_view text, const std::string& file) {
   b.flights_of_first = state_json::integer<std::uint32_t>(root, "flights_of_first", 1, b.flights);
   b.landing_ns = state_json::integer<std::int64_t>(root, "landing_ns", std::numeric_limits<std::int64_t>::min(),
                                                    std::numeric_limits<std::int64_t>::max());
-  b.first = learned_from_json(root, "first", as_index(b.names.size()));
-  b.latest = learned_from_json(root, "latest", as_index(b.names.size()));
+  b.first = state_json::learned_from_json(root, "first", as_index(b.names.size()));
+  b.latest = state_json::learned_from_json(root, "latest", as_index(b.names.size()));
   root.refuse_unknown();
   return b;
 }

@@ -124,11 +124,11 @@ FlightKeeper::Known* FlightKeeper::find(std::uint32_t engine_id) noexcept {
   return it == known_.end() ? nullptr : &*it;
 }
 
-bool FlightKeeper::begin(EngineSlot& slot) noexcept {
+bool FlightKeeper::begin(EngineSlot& slot, bool goes_on) noexcept {
   const Known* known = find(slot.engine_id);
   if (!known) return false;
   if (slot.flights.flight() < known->flights) slot.flights.count_from(known->flights);
-  return !known->learned.empty() && slot.cycle.begin_with(known->learned, options_.wear_percent);
+  return !goes_on && !known->learned.empty() && slot.cycle.begin_with(known->learned, options_.wear_percent);
 }
 
 void FlightKeeper::follow(EngineSlot& slot) noexcept {

@@ -50,8 +50,9 @@ class FlightKeeper {
   /// Sums up what is queued, then ends the thread.
   ~FlightKeeper();
 
-  /// Before an engine's first sample. Whether it starts from a baseline. Real-time safe: yes.
-  bool begin(EngineSlot& slot) noexcept;
+  /// Before an engine's first sample. Whether it starts from a baseline: not one that goes on from a checkpoint of this
+  /// flight, which knows more. Real-time safe: yes.
+  bool begin(EngineSlot& slot, bool goes_on) noexcept;
   /// After each sample in order, before its events are cleared: at a landing the engine's next flight begins, and this
   /// one is handed over. Real-time safe: yes.
   void follow(EngineSlot& slot) noexcept;

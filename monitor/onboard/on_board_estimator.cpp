@@ -376,10 +376,11 @@ double OnBoardEstimator::distance(const Conditions& conditions) const noexcept {
 
 void OnBoardEstimator::save(estimation::EstimatorState& state) const noexcept {
   state = {};
+  state.learned = learned();
 }
 
-bool OnBoardEstimator::restore(const estimation::EstimatorState&) noexcept {
-  return false;  // starts cold
+bool OnBoardEstimator::restore(const estimation::EstimatorState& state) noexcept {
+  return begin_with(state.learned, 0.0);
 }
 
 }  // namespace ehm::onboard

@@ -214,8 +214,9 @@ void CycleThread::first_sample(EngineSlot& slot) {
   reports_.push({.kind = CycleReport::Kind::new_engine, .engine_id = slot.engine_id, .design = &slot.cycle.design()});
   const auto event = checkpoints_ ? checkpoints_->resume(slot) : std::nullopt;
   if (event) report_event(slot, *event);
-  const bool known =
-      flights_.begin(slot);  // an estimator that its checkpoint has left cold goes on from its last flight
+  // An estimator that its checkpoint has left cold goes on from its last flight.
+  const bool goes_on = event && event->detail == static_cast<std::uint32_t>(Resumption::taken);
+  const bool known = flights_.begin(slot, goes_on);
   if (records_ && (known || (event && !event->raised))) records_->marker(slot, recording::RowKind::resumed);
 }
 
@@ -350,7 +351,7 @@ void CycleThread::exchange_table() {
   next->take_over(*engines_, [&](EngineSlot& old, EngineSlot& now) {
     old.cycle.retire();
     report_events(old);
-    flights_.begin(now);
+    flights_.begin(now, false);
     reports_.push({.kind = CycleReport::Kind::new_engine, .engine_id = now.engine_id, .design = &now.cycle.design()});
     if (records_) records_->marker(now, recording::RowKind::resumed);
   });

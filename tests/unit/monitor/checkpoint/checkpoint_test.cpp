@@ -85,7 +85,7 @@ TEST(Checkpoint, AFlippedDigitIsRefusedByItsHash) {
 TEST(Checkpoint, DefectsBehindTheHashAreNamed) {
   EXPECT_EQ(message(changed("/source/sequence", 5)), "accepted");  // changed() itself makes valid texts
   EXPECT_THAT(message(changed("/schema", "ehm-checkpoint/9")),
-              HasSubstr("\"ehm-checkpoint/2\" or \"ehm-checkpoint/1\""));
+              HasSubstr("allowed: ehm-checkpoint/3, or one of the versions before it"));
   EXPECT_THAT(message(changed("/engine_id", 0)), HasSubstr("engine_id is 0; allowed: 1 to"));
   EXPECT_THAT(message(changed("/engine_id", -3)), HasSubstr("engine_id is -3"));
   EXPECT_THAT(message(changed("/missing_sensor", 16)), HasSubstr("missing_sensor is 16; allowed: -1 to 15"));
@@ -119,6 +119,35 @@ TEST(Checkpoint, ABrokenPartOfACompanionIsNamed) {
   json& covariance = j["companions"]["time_varying"]["error"]["covariance"];
   covariance[0][1] = covariance[1][0] = 0.2;
   EXPECT_THAT(message(with_hash(j)), HasSubstr(own + "error.covariance is -0.05"));
+}
+
+TEST(Checkpoint, WhatAFlightHasTaughtSoFarIsKeptAndChecked) {
+  Checkpoint before = test::some_checkpoint();
+  estimation::EstimatorState onboard;
+  onboard.learned.value = Eigen::VectorXd::LinSpaced(3, 0.1, -1.0 / 3.0);
+  onboard.learned.covariance = Eigen::MatrixXd::Identity(3, 3) / 7.0;
+  before.state.companions.push_back({"onboard", onboard});
+  const Checkpoint after = parse_checkpoint(to_text(before), "some.json");
+  ASSERT_EQ(after.state.companions.size(), 2u);
+  const CompanionState& kept =
+      after.state.companions.front().name == "onboard" ? after.state.companions.front() : after.state.companions.back();
+  EXPECT_EQ(kept.name, "onboard");
+  EXPECT_EQ(kept.state.learned.value, onboard.learned.value);
+  EXPECT_EQ(kept.state.learned.covariance, onboard.learned.covariance);
+
+  json j = json::parse(to_text(before));
+  j["companions"]["onboard"]["learned"]["covariance"][0][0] = -1.0;
+  EXPECT_THAT(message(with_hash(j)), HasSubstr("companions.onboard.learned.covariance[0][0] is -1"));
+  j["companions"]["onboard"]["learned"]["value"] = std::vector<double>(33, 1.0);
+  EXPECT_THAT(message(with_hash(j)), HasSubstr("companions.onboard.learned.value is 33 long; allowed: 1 to 32"));
+  j["companions"]["onboard"]["learned"] = 3;
+  EXPECT_THAT(message(with_hash(j)), HasSubstr("companions.onboard.learned"));
+}
+
+TEST(Checkpoint, OneOfTheVersionBeforeIsReadWithItsCompanions) {
+  json j = json::parse(to_text(test::some_checkpoint()));
+  j["schema"] = "ehm-checkpoint/2";
+  EXPECT_EQ(parse_checkpoint(with_hash(j), "some.json").state.companions.size(), 1u);
 }
 
 TEST(Checkpoint, OneOfAnEarlierVersionIsReadWithoutCompanions) {

@@ -162,6 +162,25 @@ TEST(OnBoardEstimator, BeginsWithWhatAnEarlierFlightHasTaught) {
   EXPECT_FALSE(second.estimator.begin_with(other, 0.0));
 }
 
+// A monitor that was restarted in flight: what was learned is kept, the metal is in doubt for a while.
+TEST(OnBoardEstimator, GoesOnInFlightFromWhatACheckpointHasKept) {
+  OnBoardFlight flight({.seed = 18}), cold({.seed = 18});
+  while (flight.time_s() < 1500.0) flight.next(), cold.next();
+  const double known = claimed(flight);
+  estimation::EstimatorState state;
+  flight.estimator.save(state);
+  flight.estimator.reset();
+  cold.estimator.reset();
+  ASSERT_TRUE(flight.estimator.restore(state));
+  while (flight.time_s() < 1600.0) {
+    flight.next(), cold.next();
+    ASSERT_LT(errors_of(flight).health, 5.0) << flight.time_s();
+  }
+  EXPECT_LT(claimed(flight), 1.05 * known);
+  EXPECT_GT(claimed(cold), 2.0 * claimed(flight));
+  EXPECT_FALSE(flight.estimator.restore({}));
+}
+
 // Whoever lands goes on with what is there: nothing jumps, and the next flight's inputs are as uncertain as any.
 TEST(OnBoardEstimator, GoesOnFromOneFlightToTheNext) {
   OnBoardFlight flight({.seed = 18});
