@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Draws the documents' pictures anew: the data path, the HPC map with the reference points where they are at hand, the
-# estimates of the two demo flights against the truth, and what the closed form is worth.
-# Usage: deploy/pictures/make.sh [NPSS_CASES.csv]     (graphviz and gnuplot-nox; the flights take 30 and 72 s)
+# estimates of the demo's flights against the truth by each estimator, and what the closed form is worth.
+# Usage: deploy/pictures/make.sh [NPSS_CASES.csv]     (graphviz and gnuplot-nox; the flights take 30 and 72 s each)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 deploy/install-deps.sh
@@ -14,6 +14,12 @@ EHM_DEMO_CSV=$csv deploy/demo.sh --seconds 30
 gnuplot -e "csv='$csv'; out='deploy/pictures/estimate.svg'" deploy/pictures/estimate.gp
 EHM_DEMO_CSV=$csv deploy/demo.sh --mission
 gnuplot -e "csv='$csv'; out='deploy/pictures/mission.svg'" deploy/pictures/mission.gp
+EHM_DEMO_CSV=$csv deploy/demo.sh --mission --estimator scheduled
+gnuplot -e "csv='$csv'; out='deploy/pictures/mission_scheduled.svg'" deploy/pictures/mission.gp
+for estimator in tuner gauss_markov time_varying; do
+  EHM_DEMO_CSV=$folder/$estimator.csv deploy/demo.sh --seconds 30 --estimator "$estimator"
+done
+gnuplot -e "folder='$folder'; out='deploy/pictures/estimators.svg'" deploy/pictures/estimators.gp
 "${EHM_BUILD_DIR:-build}/engine_sim/engine_sim" maps --out "$folder" ${1:+--reference "$1"}
 cp "$folder/hpc.svg" deploy/pictures/hpc_map.svg
 bench=${EHM_BUILD_DIR:-build}/tuner_design/tuner_design

@@ -10,6 +10,7 @@
 #include "engine_sim/linear_model/scaling.h"
 #include "engine_sim/scenario/linear_model_file.h"
 #include "engine_sim/scenario/linear_scenario.h"
+#include "engine_sim/scenario/power_lever.h"
 #include "idl/fault_names.h"
 
 namespace ehm::engine_sim {
@@ -78,25 +79,28 @@ void for_each_table(const std::string& file, const std::string& name, const toml
   }
 }
 
-Demand profile_demand(TableReader& t) {
+Demand profile_demand(TableReader& t, std::optional<double> lever_percent) {
+  if (lever_percent) return {DemandKind::n1_rpm, 0.0};  // once the engine is known: finish_config
   if (!t.has("net_thrust_n")) return {DemandKind::n1_rpm, t.real("n1_rpm", 500, fastest_n1_rpm)};
   return {DemandKind::net_thrust_n, t.real("net_thrust_n", 0, 1e6)};
 }
 
-void declare_profile(Schema& schema, Scenario& s) {
+void declare_profile(Schema& schema, SimConfig& c) {
   schema.tables(
       "profile",
-      "flight and demand over time: time_s, n1_rpm or net_thrust_n (one of them throughout), and optionally "
-      "altitude_m, mach, delta_isa_k, customer_bleed_kg_s, power_w",
-      [&s](const std::string& file, const toml::array& array) {
+      "flight and demand over time: time_s; n1_rpm, net_thrust_n or power_lever_percent (one of them throughout); and "
+      "optionally altitude_m, mach, delta_isa_k, customer_bleed_kg_s, power_w",
+      [&c, &s = c.scenario](const std::string& file, const toml::array& array) {
         for_each_table(file, "profile", array, [&](TableReader& t) {
+          c.profile_levers.emplace_back();
+          if (t.has("power_lever_percent")) c.profile_levers.back() = t.real("power_lever_percent", 0, 100);
           const FlightCondition before = s.profile.empty() ? s.flight : s.profile.back().flight;
           const Offtake taken = s.profile.empty() ? s.offtake : s.profile.back().offtake;
           s.profile.push_back(
               {t.real("time_s", 0, far_future_s),
                {t.real_or("altitude_m", before.altitude_m, -500, 15000), t.real_or("mach", before.mach, 0, 0.95),
                 t.real_or("delta_isa_k", before.delta_isa_k, -60, 60)},
-               profile_demand(t),
+               profile_demand(t, c.profile_levers.back()),
                {t.real_or("customer_bleed_kg_s", taken.customer_bleed_kg_s, 0, most_bleed_kg_s),
                 t.real_or("power_w", taken.power_w, 0, most_power_w)}});
         });
@@ -209,10 +213,11 @@ void declare(Schema& schema, SimConfig& c) {
   schema.real("flight.mach", s.flight.mach, 0, 0.95, "", "flight Mach number at the start");
   schema.real("flight.delta_isa_k", s.flight.delta_isa_k, -60, 60, "K",
               "ambient temperature above the standard atmosphere");
-  schema.choice("demand.kind", c.demand_kind, {"t40_k", "n1_rpm", "net_thrust_n", "fuel_flow_kg_s"},
+  schema.choice("demand.kind", c.demand_kind,
+                {"t40_k", "n1_rpm", "net_thrust_n", "fuel_flow_kg_s", "power_lever_percent"},
                 "what demand.value is, for the new engine");
   schema.real("demand.value", s.demand.value, 0, 1e6, "by kind",
-              "demand at the start; the control holds the fan speed that it gives");
+              "demand at the start; the control holds the fan speed that it gives (power lever: power_lever.h)");
   c.engine_keys.declare(schema, s);
   c.mismatch_keys.declare(schema);
   c.mission_keys.declare(schema);
@@ -226,7 +231,7 @@ void declare(Schema& schema, SimConfig& c) {
       "directory of certificates and permissions that make_security.sh made; empty: no security, anybody may join");
   schema.flag("dds.security_required", c.security_required, "do not start without dds.security");
   schema.choice("log.level", c.log_level, {"trace", "debug", "info", "warn", "error"}, "least severity that is logged");
-  declare_profile(schema, s);
+  declare_profile(schema, c);
   declare_health(schema, c);
   declare_control_changes(schema, c);
   declare_faults(schema, c);
@@ -265,6 +270,25 @@ void check_profile(const std::vector<ProfilePoint>& p) {
   }
 }
 
+/// Demands of the power lever as fan speeds of the engine.
+void read_levers(SimConfig& c) {
+  Scenario& s = c.scenario;
+  if (c.demand_kind == "power_lever_percent") {
+    if (s.demand.value > 100.0)
+      throw ConfigError("'demand.value' is " + config::number_text(s.demand.value) +
+                        ", allowed are 0 to 100 percent of the power lever");
+    s.demand = demand_of_power_lever(s.engine->data, s.control.limits, s.demand.value, s.flight);
+  }
+  for (std::size_t i = 0; i < c.profile_levers.size(); ++i) {
+    if (c.profile_levers[i].has_value() != c.profile_levers.front().has_value())
+      throw ConfigError("'profile' at " + config::number_text(s.profile[i].time_s) +
+                        " s changes between power_lever_percent and another demand, allowed is one of them throughout");
+    if (c.profile_levers[i])
+      s.profile[i].demand =
+          demand_of_power_lever(s.engine->data, s.control.limits, *c.profile_levers[i], s.profile[i].flight);
+  }
+}
+
 }  // namespace
 
 double SimConfig::rate_factor() const {
@@ -294,6 +318,7 @@ void finish_config(SimConfig& c, const Schema& schema) {
                            : c.demand_kind == "n1_rpm"       ? DemandKind::n1_rpm
                            : c.demand_kind == "net_thrust_n" ? DemandKind::net_thrust_n
                                                              : DemandKind::fuel_flow_kg_s;
+  if (!c.linear) read_levers(c);
   c.mission_keys.finish(schema.given(), c.scenario);
   if (!c.linear) c.life_keys.finish(c.scenario);
   check_health_sum(c.scenario, names);

@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "deploy/runtime/config/schema.h"
@@ -50,6 +51,7 @@ struct SimConfig {
   /// What that file holds, once a table or finish_config has asked for it; null: the turbofan flies.
   std::shared_ptr<const linear_model::LinearModel> linear;
   std::string demand_kind = "t40_k";
+  std::vector<std::optional<double>> profile_levers;  ///< percent, of each point of the profile
   std::string rate = "1";             ///< times real time, or "max": lockstep with the monitor
   std::int64_t lockstep_window = 16;  ///< samples that may be unanswered under "max"
   std::int64_t wait_for_monitors = 0;

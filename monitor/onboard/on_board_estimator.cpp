@@ -248,7 +248,7 @@ void OnBoardEstimator::weigh_readings() noexcept {
 
 void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
   if (!estimate_.holds) return;
-  watch_for_steps();
+  watch_for_steps(fused);
   UnknownVector change = UnknownVector::Zero(layout_.count());
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) {
     if (!(fused & estimate_.sensors)[as_size(i)]) continue;
@@ -261,13 +261,13 @@ void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
   read_out(change);
 }
 
-void OnBoardEstimator::watch_for_steps() noexcept {
+void OnBoardEstimator::watch_for_steps(SensorMask fused) noexcept {
   const double dt_s = model_->options().sample_time_s;
   if (static_cast<double>(++since_step_) * dt_s > step_lasts_s) forget_findings();
   if (!teach_ || !estimate_.settled) return steps_.reset();  // P is open by itself
   const estimation::Innovation percent{innovation_.value.cwiseQuotient(size_),
                                        innovation_.variance.cwiseQuotient(size_.cwiseAbs2())};
-  if (steps_.take(percent, estimate_.sensors, tangent_, covariance_, doubt_)) open_for_step();
+  if (steps_.take(percent, estimate_.sensors, fused, tangent_, covariance_, doubt_)) open_for_step();
 }
 
 void OnBoardEstimator::forget_findings() noexcept {

@@ -60,7 +60,7 @@ class OnBoardEstimator final : public estimation::Estimator {
   void follow_path(const engine_sim::Operation& operation, bool first) noexcept;
   void predict_readings(bool first) noexcept;
   void weigh_readings() noexcept;
-  void watch_for_steps() noexcept;
+  void watch_for_steps(estimation::SensorMask fused) noexcept;
   void forget_findings() noexcept;
   void open_for_step() noexcept;
   void move_by(const UnknownVector& change) noexcept;

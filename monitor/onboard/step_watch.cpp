@@ -13,7 +13,7 @@ using estimation::SensorVector;
 using SensorMatrix = estimation::BoundedMatrix<estimation::max_sensors, estimation::max_sensors>;
 
 constexpr double test_every_s = 0.25;
-constexpr double most_sigmas = 6.0;    ///< of a single reading
+constexpr double most_sigmas = 6.0;    ///< of a reading that is held back
 constexpr double filling_means = 2.0;  ///< mean times after a reset, until the mean is one
 
 }  // namespace
@@ -37,14 +37,17 @@ void StepWatch::reset() noexcept {
   statistic_ = 0.0;
 }
 
-bool StepWatch::take(const estimation::Innovation& percent, SensorMask in_use, const EngineTangent& tangent,
-                     const UnknownCovariance& covariance, const ReadingDoubt& doubt) noexcept {
+bool StepWatch::take(const estimation::Innovation& percent, SensorMask in_use, SensorMask fused,
+                     const EngineTangent& tangent, const UnknownCovariance& covariance,
+                     const ReadingDoubt& doubt) noexcept {
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) {
+    const auto s = as_size(i);
     const double most = most_sigmas * std::sqrt(percent.variance(i));
-    if (!in_use[as_size(i)])
+    const double value = fused[s] ? percent.value(i) : std::clamp(percent.value(i), -most, most);
+    if (!in_use[s])
       mean_(i) = 0.0;
-    else if (std::isfinite(percent.value(i)))
-      mean_(i) += gain_ * (std::clamp(percent.value(i), -most, most) - mean_(i));
+    else if (std::isfinite(value))
+      mean_(i) += gain_ * (value - mean_(i));
   }
   ++samples_;
   if (samples_ < filling_samples_ || samples_ % test_samples_ != 0) return false;

@@ -4,8 +4,9 @@
 // covariance P no longer admits a change. The mean of its innovations tells.
 //   v   <- v + g (innovation - v)              percent, over mean_time_s;  g = 1 - exp(-dt/mean_time_s)
 //                                              of every sensor in use, also of a reading that the gate has held back: a
-//                                              biased one is held back half of the time. At most 6 sigma of a single
-//                                              reading count, so that a spike is no step
+//                                              biased one is held back half of the time. Of those at most 6 sigma
+//                                              count, so that a spike is no step; where several are beyond it the
+//                                              gate holds none back, for the engine has changed
 //   S   =  Y P Y' + diag(sigma^2 g/(2 - g) + slow^2)      sigma: noise of a sample; slow: what no mean takes away
 //   T   =  v' S^-1 v                           chi-square with a degree of freedom for each sensor while nothing steps
 //   b_j =  (s_j' S^-1 v)^2/(s_j' S^-1 s_j)     what of T one cause explains, and its size (s_j' S^-1 v)/(s_j' S^-1 s_j):
@@ -44,10 +45,10 @@ class StepWatch {
 
   /// Begins anew: the mean knows nothing.
   void reset() noexcept;
-  /// The innovations of one sample and their variance, percent, of the sensors in use; one that is no number leaves the
-  /// mean as it is. True: something has stepped, see finding().
-  bool take(const estimation::Innovation& percent, estimation::SensorMask in_use, const EngineTangent& tangent,
-            const UnknownCovariance& covariance, const ReadingDoubt& doubt) noexcept;
+  /// The innovations of one sample and their variance, percent, of the sensors in use, of which `fused` were not held
+  /// back; one that is no number leaves the mean as it is. True: something has stepped, see finding().
+  bool take(const estimation::Innovation& percent, estimation::SensorMask in_use, estimation::SensorMask fused,
+            const EngineTangent& tangent, const UnknownCovariance& covariance, const ReadingDoubt& doubt) noexcept;
   const StepFinding& finding() const noexcept { return finding_; }
   /// T of the latest test.
   double statistic() const noexcept { return statistic_; }

@@ -153,7 +153,7 @@ class OfflineRun {
     if (row.kind() == RowKind::sample) {
       sample_of(row, slot.sample);
       fit_.apply(slot.sample);
-      if (slot.cycle.counters().received == 0) flights_->begin(slot);
+      if (slot.cycle.counters().received == 0) flights_->begin(slot, false);
       const bool accepted = slot.cycle.process(slot.sample);
       fill_row(slot, accepted, result);
       if (accepted) flights_->follow(slot);

@@ -4,7 +4,7 @@
 // both by a linear fit; --largest then doubles and bisects up to the largest fleet without loss and with its p99 within
 // one period.
 //
-// Usage: fleet_bench --design FILE [--sizes 1,10,50] [--seconds 10] [--largest] [--loss-only] [--domain 45]
+// Usage: fleet_bench --design FILE [--sizes 1,10,50] [--seconds 10] [--estimator onboard] [--largest] [--loss-only] [--domain 45]
 // Exit:  0 no loss in the sizes asked for and p99 within 3 ms, 1 not, 2 wrong usage
 
 #include <fmt/format.h>
@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
   bool find_largest = false, loss_only = false;
   CLI::App app{"How many engines one monitor serves"};
   app.add_option("--design", options.design, "design file of the monitor")->required()->check(CLI::ExistingFile);
+  app.add_option("--estimator", options.estimator, "that the monitor publishes");
   app.add_option("--sizes", sizes, "engines of each run")->delimiter(',')->check(CLI::Range(1u, most_engines));
   app.add_option("--seconds", options.seconds, "of each run")->check(CLI::Range(1.0, 86400.0));
   app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 232));

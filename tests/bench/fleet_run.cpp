@@ -89,9 +89,9 @@ FleetResult summary(const FleetOptions& options, const Subscriber& subscriber) {
 
 FleetResult fly_fleet(const FleetOptions& options) {
   const auto text = [](auto value) { return std::to_string(value); };
-  const ChildProcess monitor({EHM_MONITOR, "--monitor-design", options.design, "--dds-domain", text(options.domain),
-                              "--monitor-max-engines", text(options.engines), "--log-level", "error",
-                              "--metrics-listen", ""});
+  const ChildProcess monitor({EHM_MONITOR, "--monitor-design", options.design, "--estimator-published",
+                              options.estimator, "--dds-domain", text(options.domain), "--monitor-max-engines",
+                              text(options.engines), "--log-level", "error", "--metrics-listen", ""});
   idl::ParticipantOptions participant_options;
   participant_options.domain = options.domain;
   participant_options.name = "fleet bench";

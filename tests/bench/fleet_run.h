@@ -8,7 +8,7 @@
 namespace ehm::tuner_design {
 
 struct FleetOptions {
-  std::string design;
+  std::string design, estimator = "tuner";  ///< of the monitor
   std::uint32_t domain = 45;
   std::uint32_t engines = 1;
   double seconds = 10.0, period_ms = 15.0;

@@ -65,7 +65,7 @@ void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments) 
       .add_option("--mission", arguments.mission.estimator,
                   "faults: fly whole two-hour missions with this estimator published, in place of the design's point; "
                   "of scheduled the design must have a schedule")
-      ->check(CLI::IsMember({"onboard", "scheduled"}))
+      ->check(CLI::IsMember({"onboard", "scheduled", "tuner"}))
       ->each([&arguments](const std::string&) { arguments.over_missions = true; });
   command.add_option("--flights", arguments.mission.flights, "faults --mission: flights in which things break")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))

@@ -162,12 +162,17 @@ TEST_F(DesignFile, AMatchingHashDoesNotExcuseWrongContent) {
   rewrite_with_hash(json);
   EXPECT_THAT(message_of(path), HasSubstr("health_total_covariance is a matrix with the variance -1.0; allowed:"));
   json = good;
-  for (auto& row : json["designs"]["full"]["health_noise_covariance"]) {
-    for (auto& value : row) value = 0.0;
-  }
+  const std::size_t last = json["designs"]["full"]["K"].size() - 1;  // a tuner that fades by itself and hears nothing
+  for (const char* matrix : {"K", "A"})
+    for (auto& value : json["designs"]["full"][matrix][last]) value = 0.0;
+  json["designs"]["full"]["A"][last][last] = 0.5;
   rewrite_with_hash(json);
-  EXPECT_THAT(message_of(path), HasSubstr("designs.full.health_noise_covariance is not positive definite over the "
-                                          "tuners; allowed: "));
+  EXPECT_THAT(message_of(path), HasSubstr("designs.full.K is a gain that leaves a combination of tuners without noise; "
+                                          "allowed: "));
+  json = good;
+  json["designs"]["full"]["health_readout"] = {{1.0, 2.0}};
+  rewrite_with_hash(json);
+  EXPECT_THAT(message_of(path), HasSubstr("designs.full.health_readout"));
   json = good;
   json["scaling"]["state"][0] = 1.0;
   rewrite_with_hash(json);

@@ -249,7 +249,7 @@ TEST(TunerFilter, RefusesHealthThatIsReadFromStates) {
     TunerFilter filter(model);
     FAIL() << "health read from a state was accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "tuner filter: without sensor 1: health_output has states in it; expected [0, W]");
+    EXPECT_STREQ(error.what(), "tuner filter: without sensor 1: health_output has states in it; expected [0, Rh]");
   }
 }
 

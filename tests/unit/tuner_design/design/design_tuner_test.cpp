@@ -117,8 +117,8 @@ TEST(DesignTuner, AnAbsentSensorNeverMakesItWorseThanThePrior) {
   }
 }
 
-// An EGT margin is the EGT turned round: the sensors know it, and what the linear model misses of it cancels but for
-// round-off, which once was a negative variance that the monitor refused.
+// An EGT margin is the EGT turned round: the sensors know it, and what the linear model misses of it cancels but for what
+// the read-out leaves to the noise, and round-off, which once was a negative variance that the monitor refused.
 TEST(DesignTuner, AnOutputThatIsASensorTurnedRoundHasNoNegativeVariance) {
   constexpr Eigen::Index turned = 2;  // its unit of percent is 7 K: no power of two, so that products round
   linear_model::LinearModel model = test::made_up_model();
@@ -135,7 +135,8 @@ TEST(DesignTuner, AnOutputThatIsASensorTurnedRoundHasNoNegativeVariance) {
     model.linearisation_error = root * root.transpose();
     const Design design = design_tuner(model, options);
     EXPECT_GE(design.full.auxiliary_linearisation_covariance(1, 1), 0.0) << draw;
-    EXPECT_LT(design.full.auxiliary_linearisation_covariance(1, 1), 1e-9) << draw;
+    EXPECT_LT(design.full.auxiliary_linearisation_covariance(1, 1), 0.1 * design.full.auxiliary_noise_covariance(1, 1))
+        << draw;
     for (const auto& subset : design.missing) {
       ASSERT_TRUE(subset.has_value());
       EXPECT_GE(subset->auxiliary_linearisation_covariance.diagonal().minCoeff(), 0.0) << draw;

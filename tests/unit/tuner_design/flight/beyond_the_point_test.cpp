@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "deploy/runtime/numbers/index.h"
+#include "deploy/runtime/numbers/noise_source.h"
 #include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/simulation.h"
 #include "idl/wire_values.h"
@@ -58,7 +59,7 @@ class Flown {
     std::copy(from.actuators.begin(), from.actuators.end(), to.actuator.begin());
     to.actuator[0] *= fuel_factor;
     for (std::size_t i = 0; i < from.sensors.size(); ++i) {
-      to.sensor[i] = from.sensors[i].value * (i == biased_ ? bias_ : 1.0);
+      to.sensor[i] = from.sensors[i].value * (i == biased_ ? bias_ + noise_ * random_.normal() : 1.0);
       to.sensor_valid |= 1u << i;
     }
     EXPECT_TRUE(cycle_.process(to));
@@ -73,6 +74,11 @@ class Flown {
   void bias(std::size_t sensor, double factor) {
     biased_ = sensor;
     bias_ = factor;
+  }
+  /// From now on a sensor has noise of so much of its reading besides its own.
+  void shake(std::size_t sensor, double noise) {
+    biased_ = sensor;
+    noise_ = noise;
   }
   const std::vector<monitor::Event>& faults() const { return faults_; }
   void fly(const engine_sim::FlightCondition& flight) { simulation_.fly(flight); }
@@ -93,8 +99,13 @@ class Flown {
   monitor::MonitorCycle cycle_;
   std::vector<monitor::Event> shifts_, faults_;
   std::size_t biased_ = 0;
-  double bias_ = 1.0;
+  double bias_ = 1.0, noise_ = 0.0;
+  NoiseSource random_{3};
 };
+
+int samples(double seconds) {
+  return static_cast<int>(std::lround(seconds / 0.015));
+}
 
 constexpr engine_sim::FlightCondition elsewhere{8000.0, 0.7, 5.0};
 
@@ -112,7 +123,6 @@ TEST(BeyondThePoint, AStepOfHealthIsNamedAndEndsOnceItIsLearned) {
   constexpr double step_s = 150.0;
   constexpr std::uint32_t stepped = 4;
   Flown flown("onboard", elsewhere, {{.time_s = step_s, .channel = stepped, .change = 0.012}});
-  const auto samples = [](double seconds) { return static_cast<int>(seconds / 0.015); };
   for (int k = 0; k < samples(step_s); ++k) flown.next();
   EXPECT_TRUE(flown.shifts().empty());
   for (int k = 0; k < samples(15.0); ++k) EXPECT_TRUE(flown.next()) << k;
@@ -146,7 +156,6 @@ TEST(BeyondThePoint, AShiftThatWasFoundAtThePointEndsWhereNobodyLooksAtItAnyMore
 TEST(BeyondThePoint, ABiasedSensorIsNamedLeftOutAndComesBackOnceItIsGood) {
   constexpr std::size_t t30 = 5;
   Flown flown("onboard", elsewhere);
-  const auto samples = [](double seconds) { return static_cast<int>(seconds / 0.015); };
   for (int k = 0; k < samples(150.0); ++k) flown.next();
   ASSERT_TRUE(flown.faults().empty());
   flown.bias(t30, 1.015);
@@ -164,6 +173,43 @@ TEST(BeyondThePoint, ABiasedSensorIsNamedLeftOutAndComesBackOnceItIsGood) {
   EXPECT_TRUE(flown.cycle().result().fused[t30]);
   ASSERT_EQ(flown.faults().size(), 2u);
   EXPECT_FALSE(flown.faults()[1].raised);
+}
+
+// Of five sigmas, so that the gate holds every second reading back: what it lets through alone would tell nothing.
+TEST(BeyondThePoint, ABiasOfFiveSigmasIsNamedThoughTheGateHoldsHalfOfItBack) {
+  const auto& sensors = engine_sim::default_engine()->channels.sensors;
+  for (const std::size_t sensor : {std::size_t{2}, std::size_t{5}, std::size_t{6}}) {
+    SCOPED_TRACE(sensor);
+    Flown flown("onboard", elsewhere);
+    for (int k = 0; k < samples(150.0); ++k) flown.next();
+    ASSERT_TRUE(flown.faults().empty());
+    flown.bias(sensor, 1.0 + 5.0 * 0.01 * sensors[sensor].noise_percent);
+    for (int k = 0; k < samples(3.0); ++k) flown.next();
+    ASSERT_EQ(flown.faults().size(), 1u);
+    EXPECT_TRUE(flown.faults()[0].raised);
+    EXPECT_EQ(flown.faults()[0].channel, sensor);
+    EXPECT_NE(flown.faults()[0].detail & idl::reject_reason::bias, 0u);
+  }
+}
+
+TEST(BeyondThePoint, ASensorWhoseNoiseHasGrownIsNamedAndComesBackOnceItIsQuiet) {
+  constexpr std::size_t t48 = 6;
+  const double sigma = 0.01 * engine_sim::default_engine()->channels.sensors[t48].noise_percent;
+  Flown flown("onboard", elsewhere);
+  for (int k = 0; k < samples(400.0); ++k) flown.next();  // until it expects little else than noise
+  ASSERT_TRUE(flown.faults().empty());
+  flown.shake(t48, 4.0 * sigma);
+  for (int k = 0; k < samples(2.0); ++k) flown.next();
+  ASSERT_EQ(flown.faults().size(), 1u);
+  EXPECT_EQ(flown.faults()[0].channel, t48);
+  EXPECT_NE(flown.faults()[0].detail & idl::reject_reason::noise, 0u);
+  EXPECT_GT(flown.faults()[0].value, flown.faults()[0].threshold);
+  for (int k = 0; k < samples(20.0); ++k) flown.next();
+  EXPECT_FALSE(flown.cycle().result().fused[t48]);
+  EXPECT_EQ(flown.faults().size(), 1u);
+  flown.shake(t48, 0.0);
+  for (int k = 0; k < samples(20.0); ++k) flown.next();
+  EXPECT_TRUE(flown.cycle().result().fused[t48]);
 }
 
 TEST(BeyondThePoint, AModelThatHasLostItsAnswerIsAskedAgain) {

@@ -101,10 +101,13 @@ TEST_F(LineariseAtCruise, SteadyGainPredictsASmallDeterioration) {
 
 TEST_F(LineariseAtCruise, DesignOnTheTangentComesNearTheLimitOfTheLinearEngine) {
   const design::Design design = design_tuner(result.model, {});
-  EXPECT_LT(design.ssee.health.sum() / design.bayes_limit.health.sum(), 1.05);
-  EXPECT_LT(design.ssee.auxiliary.sum() / design.bayes_limit.auxiliary.sum(), 1.10);
-  // But the engine is not linear: the HPC runs where its map's speed lines change their spacing.
-  EXPECT_EQ(worse_than_prior(design.full, design.model, design.scaling), std::vector<std::string>{"hpc_flow"});
+  const design::ErrorByChannel real = design.real_error();
+  EXPECT_LT(real.health.sum() / design.bayes_limit.health.sum(), 1.05);
+  EXPECT_LT(real.auxiliary.sum() / design.bayes_limit.auxiliary.sum(), 1.10);
+  // The engine is not linear: the HPC runs where its map's speed lines change their spacing. What the tangent misses
+  // counts in the estimate, so that of HPC flow little more is told than the fleet's own 2 %, but nothing worse.
+  EXPECT_TRUE(worse_than_prior(design.full, design.model, design.scaling).empty());
+  EXPECT_GT(std::sqrt(design.full.health_total_covariance(5, 5)), 1.5);
 }
 
 TEST_F(LineariseAtCruise, DesignOnTheFleetsFitIsBetterInAllAndNearThePrior) {
@@ -113,13 +116,13 @@ TEST_F(LineariseAtCruise, DesignOnTheFleetsFitIsBetterInAllAndNearThePrior) {
   const design::Design tangent = design_tuner(result.model, {});
   const design::Design design = design_tuner(linearise(engine_sim::default_engine(), fleet).model, {});
   EXPECT_LT(design.full.health_total_covariance.trace(), tangent.full.health_total_covariance.trace());
-  EXPECT_LT(design.linearisation.health.sum(), 0.4 * tangent.linearisation.health.sum());
-  // HPC flow alone is not told better than the fleet's own 2 %, by a tenth; the tangent's 4.4 % are more than twice.
-  EXPECT_EQ(worse_than_prior(design.full, design.model, design.scaling), std::vector<std::string>{"hpc_flow"});
-  EXPECT_LT(std::sqrt(design.full.health_total_covariance.diagonal().maxCoeff()), 1.15 * 2.0);
+  EXPECT_LT(design.bayes_limit.health.sum(), 0.97 * tangent.bayes_limit.health.sum());
+  EXPECT_TRUE(worse_than_prior(design.full, design.model, design.scaling).empty());
+  EXPECT_LT(std::sqrt(design.full.health_total_covariance(5, 5)), 1.5);  // HPC flow; the fleet's own spread is 2 %
+  EXPECT_LT(std::sqrt(design.full.health_total_covariance.diagonal().maxCoeff()), 1.65);
   for (const auto& subset : design.missing) {
     ASSERT_TRUE(subset.has_value());
-    EXPECT_LT(std::sqrt(subset->health_total_covariance.diagonal().maxCoeff()), 1.2 * 2.0);
+    EXPECT_LT(std::sqrt(subset->health_total_covariance.diagonal().maxCoeff()), 2.0);
   }
 }
 

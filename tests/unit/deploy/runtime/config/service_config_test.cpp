@@ -68,6 +68,49 @@ TEST(ScenarioFile, RefusesAProfileOfTwoKinds) {
   EXPECT_NE(scenario_error("[control]\nt48_max_k = 100\n"), "");
 }
 
+// Of the JT9D, whose control's limit of corrected fan speed is the lever's whole way.
+TEST(ScenarioFile, APowerLeverAsksForFanSpeed) {
+  const engine_sim::Scenario s = load_scenario(R"(
+[flight]
+altitude_m = 0
+mach = 0
+[demand]
+kind = "power_lever_percent"
+value = 100
+[[profile]]
+time_s = 0
+power_lever_percent = 100
+[[profile]]
+time_s = 10
+power_lever_percent = 50
+[[profile]]
+time_s = 20
+power_lever_percent = 0
+altitude_m = 10668
+mach = 0.8
+)")
+                                     .scenario;
+  const double most = s.control.limits.n1_corrected_rpm;
+  EXPECT_EQ(s.demand.kind, engine_sim::DemandKind::n1_rpm);
+  EXPECT_NEAR(s.demand.value, most, 1e-9 * most);  // on a standard day at rest theta is 1
+  EXPECT_NEAR(s.profile.at(0).demand.value, most, 1e-9 * most);
+  EXPECT_NEAR(s.profile.at(1).demand.value, 0.65 * most, 1e-9 * most);
+  // T0 218.81 K at 35 000 ft, T2 = T0 (1 + 0.2 M^2) = 246.8 K, theta2^1/2 = 0.9255; real gas differs by less than 0.1 %
+  EXPECT_NEAR(s.profile.at(2).demand.value, 0.3 * 0.9255 * most, 1e-3 * most);
+}
+
+TEST(ScenarioFile, RefusesAPowerLeverBeyondItsWayOrMixedWithOthers) {
+  EXPECT_EQ(scenario_error("[demand]\nkind = \"power_lever_percent\"\nvalue = 110\n"),
+            "'demand.value' is 110, allowed are 0 to 100 percent of the power lever");
+  EXPECT_EQ(scenario_error("[[profile]]\ntime_s = 0\npower_lever_percent = -1\n"),
+            "3: 'profile.power_lever_percent' is -1, allowed is a number from 0 to 100");
+  EXPECT_EQ(scenario_error("[[profile]]\ntime_s = 0\npower_lever_percent = 40\n"
+                           "[[profile]]\ntime_s = 5\nn1_rpm = 3000\n"),
+            "'profile' at 5 s changes between power_lever_percent and another demand, allowed is one of them "
+            "throughout");
+  EXPECT_NE(scenario_error("[[profile]]\ntime_s = 0\npower_lever_percent = 40\nn1_rpm = 3000\n"), "");
+}
+
 TEST(ScenarioFile, ReadsWearFaultsAndProfile) {
   const auto config = load_scenario(R"(
 [engine]
