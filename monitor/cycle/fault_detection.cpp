@@ -116,19 +116,23 @@ void FaultDetection::settle_ambiguity(bool decided, EventList& events) noexcept 
 
 void FaultDetection::leave_point(EventList& events) noexcept {
   published_noise_.start();
+  loud_.reset();
   shift_.end(events);
   ambiguous_.reassess(idl::EventKind::ambiguous_fault, ambiguous_channel_, events);
 }
 
-void FaultDetection::follow_noise(SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept {
-  const estimation::SensorVector scaled = result.innovation.cwiseQuotient(result.innovation_variance.cwiseSqrt());
+/// Differences of innovations hold the noise of two readings and hardly anything else, however wide the doubt is.
+void FaultDetection::follow_noise(const estimation::Innovation& innovation, SensorSupervision& supervision,
+                                  CycleResult& result, EventList& events) noexcept {
+  const estimation::SensorVector& noise = innovation.noise.size() > 0 ? innovation.noise : innovation.variance;
+  const estimation::SensorVector scaled = innovation.value.cwiseQuotient(noise.cwiseSqrt());
   estimation::SensorMask present;
-  for (Eigen::Index i = 0; i < scaled.size(); ++i)
-    present[as_size(i)] = std::isfinite(scaled(i)) && !supervision.excluded(static_cast<int>(i));
+  for (Eigen::Index i = 0; i < scaled.size(); ++i) present[as_size(i)] = std::isfinite(scaled(i));
   published_noise_.step(scaled, present);
   for (int i = 0; i < static_cast<int>(scaled.size()); ++i) {
     const auto s = as_size(i);
-    if (!present[s] || !published_noise_.loud(i)) continue;
+    loud_[s] = present[s] && published_noise_.loud(i);
+    if (!loud_[s] || supervision.excluded(i)) continue;
     supervision.exclude(i,
                         {.kind = idl::EventKind::sensor_fault,
                          .channel = static_cast<std::uint32_t>(i),
@@ -141,9 +145,9 @@ void FaultDetection::follow_noise(SensorSupervision& supervision, CycleResult& r
   }
 }
 
-int FaultDetection::follow(const estimation::Estimate& published, SensorSupervision& supervision, CycleResult& result,
-                           EventList& events) noexcept {
-  follow_noise(supervision, result, events);
+int FaultDetection::follow(const estimation::Estimate& published, const estimation::Innovation& innovation,
+                           SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept {
+  follow_noise(innovation, supervision, result, events);
   const bool stepped = published.stepped >= 0;
   const auto channel = static_cast<std::uint32_t>(std::max(published.stepped, 0));
   if (published_step_.raised() && (!stepped || channel != stepped_channel_))
@@ -182,6 +186,7 @@ int FaultDetection::follow(const estimation::Estimate& published, SensorSupervis
 
 void FaultDetection::restart(int missing, EventList& events) noexcept {
   published_noise_.start();
+  loud_.reset();
   if (missing < 0)
     detector_.reset();
   else

@@ -41,8 +41,8 @@ class FaultDetection {
   /// Where the watch filter's model does not hold: the step of health, the bias of a sensor, or what may be either, that
   /// the published estimator has found by itself; and a sensor whose noise has grown against its innovations. Excludes the sensor.
   /// @returns which has been excluded for a bias now; -1: none.
-  int follow(const estimation::Estimate& published, SensorSupervision& supervision, CycleResult& result,
-             EventList& events) noexcept;
+  int follow(const estimation::Estimate& published, const estimation::Innovation& innovation,
+             SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept;
 
   /// The watch filter starts cold, without sensor `missing` (-1: with all).
   void restart(int missing, EventList& events) noexcept;
@@ -59,6 +59,8 @@ class FaultDetection {
   bool listens() const noexcept { return detector_.armed(); }
   /// The sensor that is most likely at fault, -1 for none: better not fused.
   int suspect() const noexcept { return detector_.suspect(); }
+  /// Beyond the point: the sensors whose noise is too large.
+  estimation::SensorMask loud() const noexcept { return loud_; }
   bool shifted() const noexcept { return shift_.raised(); }
   /// What may be wrong with the estimates, and an event tells: a drift, or a fault that nobody can name.
   bool doubted() const noexcept { return slow_bias_.raised() || ambiguous_.raised(); }
@@ -71,13 +73,15 @@ class FaultDetection {
                   EventList& events) noexcept;
   Verdict declare_sensor(const FaultVerdict& fault, bool all_sensors, SensorSupervision& supervision,
                          CycleResult& result, EventList& events) noexcept;
-  void follow_noise(SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept;
+  void follow_noise(const estimation::Innovation& innovation, SensorSupervision& supervision, CycleResult& result,
+                    EventList& events) noexcept;
   void settle_ambiguity(bool decided, EventList& events) noexcept;
   double age_s(const FaultVerdict& fault) const noexcept { return sample_time_s_ * (fault.age + 1); }
 
   double sample_time_s_, slowest_time_constant_s_;
   FaultDetector detector_;
-  NoiseWatch published_noise_;  ///< beyond the point
+  NoiseWatch published_noise_;   ///< beyond the point
+  estimation::SensorMask loud_;  ///< by it
   UngatedFilter ungated_;
   ShiftDetector shift_;
   SlowBias slow_bias_;

@@ -96,7 +96,7 @@ void MonitorCycle::fuse_beyond_the_point() noexcept {
                                             options_.checks.gate_sigma);
   result_.ratio = gate.ratio;
   bias_return_.look(innovation.value, innovation.variance);
-  supervision_.gate(gate, {.held_back = bias_return_.sensor()}, result_);
+  supervision_.gate(gate, {.held_back = bias_return_.sensor(), .loud = detection_.loud()}, result_);
   supervision_.qualify(false, result_, counters_, events_);
   note_fused(supervision_.available());
   companions_.update(result_.fused, supervision_.hold());
@@ -170,7 +170,8 @@ void MonitorCycle::conclude(bool has_design) noexcept {
 void MonitorCycle::diagnose() noexcept {
   if (!valid_) return;
   if (!at_point_) {
-    const int sensor = detection_.follow(result_.estimate, supervision_, result_, events_);
+    const int sensor = detection_.follow(result_.estimate, companions_.innovation(as_size(published_)), supervision_,
+                                         result_, events_);
     if (sensor >= 0) bias_return_.leave_out(sensor, result_.estimate.bias, result_.estimate.least_bias);
     if (result_.estimates) limits_.check(result_.estimate.health, result_.estimate.auxiliary, events_);
     return;

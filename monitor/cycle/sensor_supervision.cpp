@@ -64,7 +64,8 @@ void SensorSupervision::gate(const GateDecision& gate, const GateContext& contex
     if (result.reason[s] != reason::repeated) gated_[s] = gate.rejected[s] ? gated_[s] + 1 : 0;
     const bool suspect = plausible[s] && context.suspect == i;
     const bool wild = gate.rejected[s] && (!context.detector_listens || gated_[s] <= options_.bridge_samples);
-    if (wild || suspect || context.held_back == i) result.reason[s] |= reason::innovation_gate;
+    if (wild || suspect || context.held_back == i || (context.loud[s] && excluded(i)))
+      result.reason[s] |= reason::innovation_gate;
   }
 }
 

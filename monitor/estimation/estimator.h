@@ -31,6 +31,7 @@ struct Conditions {
 /// Of all m sensors, sensor units and their squares. Not masked: NaN where there is no value.
 struct Innovation {
   SensorVector value, variance;
+  SensorVector noise = {};  ///< of the variance what the noise of a single reading is; of length 0: all of it
 };
 
 /// The least and the greatest reading of each sensor wherever an estimator holds, sensor units; of length 0: those at

@@ -166,6 +166,7 @@ void OnBoardEstimator::innovate(const SensorVector& y, const Conditions& now) no
   predict_readings(first);
   weigh_readings();
   innovation_.value = y - lagged_;
+  innovation_.noise = size_.cwiseAbs2().cwiseProduct(doubt_.noise);
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i)
     innovation_.variance(i) =
         square(size_(i)) * (covariance_.variance(tangent_.readings().row(i).transpose()) + noise_(i));
@@ -266,7 +267,7 @@ void OnBoardEstimator::watch_for_steps(SensorMask fused) noexcept {
   if (static_cast<double>(++since_step_) * dt_s > step_lasts_s) forget_findings();
   if (!teach_ || !estimate_.settled) return steps_.reset();  // P is open by itself
   const estimation::Innovation percent{innovation_.value.cwiseQuotient(size_),
-                                       innovation_.variance.cwiseQuotient(size_.cwiseAbs2())};
+                                       innovation_.variance.cwiseQuotient(size_.cwiseAbs2()), doubt_.noise};
   if (steps_.take(percent, estimate_.sensors, fused, tangent_, covariance_, doubt_)) open_for_step();
 }
 

@@ -54,6 +54,7 @@ void ScheduledEstimator::reset() noexcept {
   lagged_.setZero(sensors_);
   innovation_.value.setZero(sensors_);
   innovation_.variance.setZero(sensors_);
+  innovation_.noise.setZero(sensors_);
   const auto r = as_index(model_->lookup.schedule().auxiliary.size());
   estimate_.auxiliary.setZero(r), estimate_.auxiliary_sigma.setZero(r), estimate_.auxiliary_sigma_filter.setZero(r);
   estimate_.tuners.resize(0);
@@ -205,6 +206,7 @@ void ScheduledEstimator::innovate(const SensorVector& y, const Conditions& now) 
   for (Eigen::Index i = 0; i < sensors_; ++i) {
     const UnknownVector c = slopes(i);
     innovation_.variance(i) = square(model_->sensor_scale(i)) * (c.dot(p_ * c) + noise_of(i));
+    innovation_.noise(i) = square(reading_sigma(i));
   }
 }
 
@@ -243,11 +245,16 @@ ScheduledEstimator::UnknownVector ScheduledEstimator::slopes(Eigen::Index i) con
   return c;
 }
 
-double ScheduledEstimator::noise_of(Eigen::Index i) const noexcept {
-  const ScheduledOptions& o = model_->options;
+/// Standard deviation of a single reading's noise, sensor units.
+double ScheduledEstimator::reading_sigma(Eigen::Index i) const noexcept {
   const double reading =
       model_->noise_of_reading && model_->trim(i) != 0.0 ? std::abs(lagged_(i) / model_->trim(i)) : 1.0;
-  const double sigma = model_->noise(i) * reading / model_->sensor_scale(i);
+  return model_->noise(i) * reading;
+}
+
+double ScheduledEstimator::noise_of(Eigen::Index i) const noexcept {
+  const ScheduledOptions& o = model_->options;
+  const double sigma = reading_sigma(i) / model_->sensor_scale(i);
   const double early = o.early_gain_percent * p_.diagonal().segment(states_, health_).sum() / fleet_trace_;
   const double of_reading = 0.01 * std::abs(lagged_(i)) / model_->sensor_scale(i);
   const double transient = model_->lookup.schedule().eta_y(i) * 100.0 * eta_ * of_reading;

@@ -83,6 +83,7 @@ class ScheduledEstimator final : public estimation::Estimator {
   void predict_readings(bool first) noexcept;
   estimation::StateVector rates() const noexcept;
   UnknownVector slopes(Eigen::Index sensor) const noexcept;
+  double reading_sigma(Eigen::Index sensor) const noexcept;
   double noise_of(Eigen::Index sensor) const noexcept;
   void read_out() noexcept;
 

@@ -96,7 +96,7 @@ TEST(KalmanObjective, ValueAndGradientAgreeWithTheReferenceOnRandomProblems) {
     EXPECT_NEAR(*value / p.kalman_reference(p.V), 1.0, 1e-9) << seed;
     const Eigen::MatrixXd expected = differences([&](const Eigen::MatrixXd& at) { return p.kalman_reference(at); }, V);
     // Where estimates are read off with least error V hardly matters: there the differences' own error of J counts.
-    EXPECT_LT((gradient - expected).norm(), 1e-6 * expected.norm() + 1e-7 * *value) << seed;
+    EXPECT_LT((gradient - expected).norm(), 1e-6 * expected.norm() + 2e-7 * *value) << seed;
     EXPECT_LT((gradient * V.transpose()).norm(), 1e-9 * gradient.norm()) << "along the rows of V nothing changes";
   }
 }
