@@ -16,7 +16,7 @@ do for [k=1:3] {
   if (k == 3) { set format x '%g'; set xlabel 'seconds' }
   set ylabel 'HPC efficiency, %'
   set title sprintf('estimator %s', name) offset 0,-0.7 noenhanced
-  plot csv using (column('time_s')):(100*(column('hpc_efficiency_estimate')-column('hpc_efficiency_sigma'))):(100*(column('hpc_efficiency_estimate')+column('hpc_efficiency_sigma'))) with filledcurves lc rgb band title 'one published sigma', \
-       '' using (column('time_s')):(100*column('hpc_efficiency_estimate')) with lines lw 1.5 lc rgb est title 'estimate', \
-       '' using (column('time_s')):(100*column('hpc_efficiency_truth')) with lines lw 2 dt 2 lc rgb tru title 'truth'
+  plot csv every 4 using (column('time_s')):(100*(column('hpc_efficiency_estimate')-column('hpc_efficiency_sigma'))):(100*(column('hpc_efficiency_estimate')+column('hpc_efficiency_sigma'))) with filledcurves lc rgb band title 'one published sigma', \
+       '' every 4 using (column('time_s')):(100*column('hpc_efficiency_estimate')) with lines lw 1.5 lc rgb est title 'estimate', \
+       '' every 4 using (column('time_s')):(100*column('hpc_efficiency_truth')) with lines lw 2 dt 2 lc rgb tru title 'truth'
 }

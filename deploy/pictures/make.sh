@@ -17,7 +17,8 @@ gnuplot -e "csv='$csv'; out='deploy/pictures/mission.svg'" deploy/pictures/missi
 EHM_DEMO_CSV=$csv deploy/demo.sh --mission --estimator scheduled
 gnuplot -e "csv='$csv'; out='deploy/pictures/mission_scheduled.svg'" deploy/pictures/mission.gp
 for estimator in tuner gauss_markov time_varying; do
-  EHM_DEMO_CSV=$folder/$estimator.csv deploy/demo.sh --seconds 30 --estimator "$estimator"
+  # time_varying is deaf to the step of health, which the demo's verdict then says
+  EHM_DEMO_CSV=$folder/$estimator.csv deploy/demo.sh --seconds 30 --estimator "$estimator" || [ "$estimator" = time_varying ]
 done
 gnuplot -e "folder='$folder'; out='deploy/pictures/estimators.svg'" deploy/pictures/estimators.gp
 "${EHM_BUILD_DIR:-build}/engine_sim/engine_sim" maps --out "$folder" ${1:+--reference "$1"}
