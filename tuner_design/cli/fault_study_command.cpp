@@ -55,21 +55,26 @@ void mission_fault_study_of_file(FaultStudyArguments arguments, const std::strin
 void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments) {
   command.add_option("--design", arguments.design, "faults, false-alarms: design file of the monitor under test")
       ->type_name("D.json");
-  command.add_option("--cases", arguments.options.cases, "faults: flights in which something breaks, or nothing")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
-      ->capture_default_str();
+  CLI::Option* cases =
+      command.add_option("--cases", arguments.options.cases, "faults: flights in which something breaks, or nothing")
+          ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+          ->capture_default_str();
   command.add_option("--hours", arguments.options.hours, "faults, false-alarms: simulated hours with nothing broken")
       ->check(CLI::Range(0.0, 1e5))
       ->capture_default_str();
-  command
-      .add_option("--mission", arguments.mission.estimator,
-                  "faults: fly whole two-hour missions with this estimator published, in place of the design's point; "
-                  "of scheduled the design must have a schedule")
-      ->check(CLI::IsMember({"onboard", "scheduled", "tuner"}))
-      ->each([&arguments](const std::string&) { arguments.over_missions = true; });
+  CLI::Option* mission =
+      command
+          .add_option(
+              "--mission", arguments.mission.estimator,
+              "faults: fly whole two-hour missions with this estimator published, in place of the design's point; "
+              "of scheduled the design must have a schedule")
+          ->check(CLI::IsMember({"onboard", "scheduled", "tuner"}))
+          ->each([&arguments](const std::string&) { arguments.over_missions = true; })
+          ->excludes(cases);
   command.add_option("--flights", arguments.mission.flights, "faults --mission: flights in which things break")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(mission);
   command.add_flag("!--no-process-noise", arguments.process_noise,
                    "false-alarms: the engine stays in balance; without it, it moves by the model's process noise");
 }

@@ -14,6 +14,8 @@
 #include "tuner_design/cli/import_options.h"
 #include "tuner_design/linearise/linearise.h"
 #include "tuner_design/print/check_text.h"
+#include "tuner_design/print/robust_study_text.h"
+#include "tuner_design/robust/robust_study.h"
 #include "tuner_design/studies/half_worn.h"
 #include "tuner_design/studies/simon_garg_table.h"
 
@@ -26,6 +28,7 @@ struct Arguments {
   SimonGargOptions options;
   FaultStudyArguments faults;
   FlightStudyArguments flight;
+  RobustStudyOptions robust;
   EngineOption engine;
   OutputOptions output;
 };
@@ -44,12 +47,44 @@ linear_model::LinearModel cruise(const EngineOption& engine, bool half_worn) {
   return model;
 }
 
+/// The model of --model, or the engine's at cruise.
+ImportedModel model_of(const Arguments& arguments) {
+  return arguments.model.empty() ? ImportedModel{cruise(arguments.engine, arguments.trim == "half-worn"), "", {}}
+                                 : import_model(arguments.model, arguments.import);
+}
+
+void run_robust(const Arguments& arguments, const Console& console) {
+  if (!arguments.csv.empty()) throw CLI::ValidationError("--csv", "does not go with robust; --json has every number");
+  const ImportedModel imported = model_of(arguments);
+  RobustStudy study;
+  try {
+    study = run_robust_study(imported.model, arguments.robust);
+  } catch (const std::invalid_argument& error) {
+    throw files::FileError((arguments.model.empty() ? "" : arguments.model + ": ") + error.what());
+  }
+  print_result(
+      console, arguments.output,
+      [&] {
+        nlohmann::ordered_json json = robust_study_as_json(study);
+        json["assumed"] = imported.assumed;
+        return json;
+      },
+      [&](std::ostream& out) {
+        print_robust_study(study, out);
+        print_assumed(imported.assumed, out);
+      });
+}
+
 void run_study(Arguments arguments, const Console& console) {
   arguments.faults.options.seed = arguments.options.seed;
   arguments.faults.options.threads = arguments.options.threads;
   arguments.faults.options.engine = arguments.engine.engine();
   arguments.faults.mission.engine_name = arguments.engine.name_or_file;
   const bool of_the_paper = arguments.study.starts_with("simon-garg");
+  if (arguments.study == "robust") {
+    arguments.robust.qh_percent2 = arguments.options.qh_percent2;
+    return run_robust(arguments, console);
+  }
   if (!of_the_paper && arguments.trim != "new")
     throw CLI::ValidationError(
         "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
@@ -65,9 +100,7 @@ void run_study(Arguments arguments, const Console& console) {
   if (arguments.study == "false-alarms")
     return false_alarm_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
   arguments.options.table = arguments.study.back() - '0';
-  const ImportedModel imported = arguments.model.empty()
-                                     ? ImportedModel{cruise(arguments.engine, arguments.trim == "half-worn"), "", {}}
-                                     : import_model(arguments.model, arguments.import);
+  const ImportedModel imported = model_of(arguments);
   SimonGargStudy study;
   try {
     long_work::ProgressBar bar = progress_bar(console, arguments.output, long_work::ProgressBar::shares);
@@ -103,11 +136,14 @@ void add_study_command(CLI::App& app, Action& run) {
                                          "how well the monitor finds and names faults; its false alarms; "
                                          "estimates over whole flights; whether every engine starts; "
                                          "the EGT margin over its life; "
-                                         "or the tuner filter at points from approach to take-off");
-  command->add_option("study", arguments->study, "Which table, faults, false-alarms, flight, starts, margin, or points")
+                                         "the tuner filter at points from approach to take-off; "
+                                         "or what a robust gain buys");
+  command
+      ->add_option("study", arguments->study,
+                   "Which table, faults, false-alarms, flight, starts, margin, points, or robust")
       ->required()
       ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms",
-                             "flight", "starts", "margin", "points"}));
+                             "flight", "starts", "margin", "points", "robust"}));
   CLI::Option* model =
       command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
           ->type_name("MODEL");
@@ -118,7 +154,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->capture_default_str()
       ->excludes(model);
   add_engine_option(*command, arguments->engine,
-                    "Engine of simon-garg without --model, faults, flight, starts, margin, points");
+                    "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
@@ -128,6 +164,16 @@ void add_study_command(CLI::App& app, Action& run) {
       ->capture_default_str();
   add_fault_study_options(*command, arguments->faults);
   add_flight_study_options(*command, arguments->flight);
+  command
+      ->add_option("--nominal-loss", arguments->robust.nominal_loss,
+                   "robust: what the gain may cost where nothing is wrong, share of the mean error")
+      ->check(CLI::Range(1e-4, 10.0))
+      ->capture_default_str();
+  command
+      ->add_option("--noise-factor", arguments->robust.noise_factor,
+                   "robust: of the sensors' variance where it is wrong")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
   add_seed_option(*command, options.seed, "Of the random starts and of the experiments");
   command->add_option("--csv,--out", arguments->csv, "Write the table (faults: a line a case) to this file too")
       ->type_name("F.csv");
