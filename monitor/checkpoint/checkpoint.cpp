@@ -129,6 +129,23 @@ ReturnGate::Memory return_gate_from_json(JsonObject& root) {
   return memory;
 }
 
+Json bias_return_to_json(const BiasReturn::Memory& memory) {
+  return {{"sensor", memory.sensor}, {"mean", memory.mean}, {"largest", memory.largest}, {"least", memory.least}};
+}
+
+BiasReturn::Memory bias_return_from_json(JsonObject& root) {
+  JsonObject object(root.at("bias_return"), root.file(), root.key("bias_return"));
+  BiasReturn::Memory memory;
+  memory.sensor = state_json::integer(object, "sensor", -1, estimation::max_sensors - 1);
+  memory.mean = object.number("mean");
+  memory.largest = object.number("largest");
+  memory.least = object.number("least");
+  if (memory.largest < 0.0 || memory.least < 0.0)
+    state_json::defect(object, "largest", std::min(memory.largest, memory.least), "0 or more, as least");
+  object.refuse_unknown();
+  return memory;
+}
+
 estimation::SensorMask excluded_from_json(JsonObject& root) {
   const auto bits =
       state_json::integer<std::uint32_t>(root, "excluded_sensors", 0, (1u << estimation::max_sensors) - 1);
@@ -164,6 +181,7 @@ std::string to_text(const Checkpoint& c) {
                {"source", {{"id", s.source_id}, {"sequence", s.sequence}, {"time_ns", s.source_time_ns}}},
                {"excluded_sensors", s.excluded.to_ulong()},
                {"return_gate", return_gate_to_json(s.return_gate)},
+               {"bias_return", bias_return_to_json(s.bias_return)},
                {"companions", companions_to_json(s.companions)}};
   state_to_json(s.watch, json);
   return state_json::hashed_text(std::move(json));
@@ -182,6 +200,7 @@ Checkpoint parse_checkpoint(std::string_view text, const std::string& file) {
   c.state.watch = state_from_json(root, has_companions);
   c.state.return_gate = return_gate_from_json(root);
   if (has_companions) c.state.companions = companions_from_json(root);
+  if (root.find("bias_return") != nullptr) c.state.bias_return = bias_return_from_json(root);
   root.refuse_unknown();
   return c;
 }

@@ -17,9 +17,9 @@ bool CompanionEstimators::restore(const std::vector<CompanionState>& states, int
   bool all = true;
   for (Flying& one : all_) {
     const auto own = std::find_if(states.begin(), states.end(), [&](const auto& s) { return s.name == one.name; });
-    const bool goes_on = own != states.end() && one.estimator->restore(own->state);
-    if (goes_on) one.unseen = unseen;
-    all = all && goes_on;
+    one.went_on = own != states.end() && one.estimator->restore(own->state);
+    if (one.went_on) one.unseen = unseen;
+    all = all && one.went_on;
   }
   return all;
 }

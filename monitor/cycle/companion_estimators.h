@@ -66,6 +66,9 @@ class CompanionEstimators {
   /// without one that fits it stays as it is: cold, in a new cycle. @returns whether every one goes on.
   bool restore(const std::vector<CompanionState>& states, int unseen) noexcept;
 
+  /// The last restore() has found it a state of its own.
+  bool went_on(std::size_t i) const noexcept { return all_[i].went_on; }
+
   /// Who flies this sample: all of them where the watch filter holds, else those that hold in these conditions.
   void choose(bool at_point, const estimation::Conditions& now, int steps) noexcept {
     for (Flying& one : all_) {
@@ -108,6 +111,7 @@ class CompanionEstimators {
     std::unique_ptr<estimation::Estimator> estimator;
     int unseen = 0;     ///< samples that the next prediction leads over
     bool flies = true;  ///< in the present sample
+    bool went_on = false;
   };
   std::vector<Flying> all_;
 };

@@ -41,6 +41,7 @@ bool MonitorCycle::snapshot(CycleState& state) const noexcept {
   state.excluded.reset();
   for (int i = 0; i < sensors_; ++i) state.excluded[as_size(i)] = supervision_.excluded(i);
   state.return_gate = accommodation_.memory();
+  state.bias_return = bias_return_.memory();
   return true;
 }
 
@@ -58,6 +59,7 @@ Resumption MonitorCycle::resume(const CycleState& state, const Sample& next, dou
         i, {.kind = idl::EventKind::sensor_fault, .channel = static_cast<std::uint32_t>(i), .detail = reason::excluded},
         events_);
   }
+  if (state.bias_return.sensor < sensors_) bias_return_.remember(state.bias_return);
   // The actuators are taken to have been for the whole gap where they are now: the states follow them there. Longer
   // than the filter needs to settle makes no difference.
   now_ = conditions_of(next);

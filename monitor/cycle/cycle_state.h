@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "monitor/checks/bias_return.h"
 #include "monitor/checks/return_gate.h"
 #include "monitor/data/sample.h"
 #include "monitor/estimation/capacity.h"
@@ -31,6 +32,7 @@ struct CycleState {
   std::vector<CompanionState> companions;  ///< of as many as fly
   estimation::SensorMask excluded;         ///< sensors that are declared faulty
   ReturnGate::Memory return_gate;          ///< of the sensor that the watch filter's design lacks
+  BiasReturn::Memory bias_return;          ///< of the sensor that was left out beyond the point
 };
 
 /// What became of a state, and why it was not taken.

@@ -147,7 +147,7 @@ void FaultDetection::follow_noise(const estimation::Innovation& innovation, Sens
 
 int FaultDetection::follow(const estimation::Estimate& published, const estimation::Innovation& innovation,
                            SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept {
-  follow_noise(innovation, supervision, result, events);
+  if (published.holds) follow_noise(innovation, supervision, result, events);
   const bool stepped = published.stepped >= 0;
   const auto channel = static_cast<std::uint32_t>(std::max(published.stepped, 0));
   if (published_step_.raised() && (!stepped || channel != stepped_channel_))
@@ -161,11 +161,15 @@ int FaultDetection::follow(const estimation::Estimate& published, const estimati
                          .threshold = published.least_step},
                         events);
   }
-  if (const bool unsure = published.suspected >= 0; unsure || ambiguous_.raised()) {
-    if (unsure) ambiguous_channel_ = static_cast<std::uint32_t>(published.suspected);
-    ambiguous_.set(unsure,
+  const bool unsure = published.suspected >= 0;
+  const auto suspected = static_cast<std::uint32_t>(std::max(published.suspected, 0));
+  if (ambiguous_.raised() && (!unsure || suspected != ambiguous_channel_))
+    ambiguous_.set(false, {.kind = idl::EventKind::ambiguous_fault, .channel = ambiguous_channel_}, events);
+  if (unsure) {
+    ambiguous_channel_ = suspected;
+    ambiguous_.set(true,
                    {.kind = idl::EventKind::ambiguous_fault,
-                    .channel = ambiguous_channel_,
+                    .channel = suspected,
                     .value = published.bias,
                     .threshold = published.least_bias},
                    events);

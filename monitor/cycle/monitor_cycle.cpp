@@ -2,6 +2,7 @@
 #include "monitor/cycle/monitor_cycle.h"
 
 #include <cmath>
+#include <limits>
 
 #include "deploy/runtime/numbers/index.h"
 #include "idl/wire_values.h"
@@ -50,13 +51,13 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   distance_ = distance_of_published();
   valid_ = validity_.check(distance_, events_) && usable;
   at_point_ = watch_holds(was_at_point);
+  if (was_at_point && !at_point_ && published_ != watch_filter) detection_.leave_point(events_);
   if (!valid_) {
     companions_.rest(steps_);
     withhold();
     return true;
   }
   if (!at_point_) {
-    if (was_at_point) detection_.leave_point(events_);
     fuse_beyond_the_point();
     return true;
   }
@@ -86,16 +87,19 @@ double MonitorCycle::distance_of_published() const noexcept {
 /// Where the watch filter's model does not hold and the published estimator's does: that one judges the readings.
 void MonitorCycle::fuse_beyond_the_point() noexcept {
   companions_.choose(false, now_, steps_);
-  companions_.predict(supervision_.available(), before_, steps_);
+  const estimation::SensorMask in_use = supervision_.available();
+  companions_.predict(in_use, before_, steps_);
   before_ = now_;
-  companions_.innovate(supervision_.values(), now_);
+  estimation::SensorVector values = supervision_.values();
+  for (int i = 0; i < sensors_; ++i)  // a value that was read before tells nothing of now
+    if (result_.reason[as_size(i)] == reason::repeated) values(i) = std::numeric_limits<double>::quiet_NaN();
+  companions_.innovate(values, now_);
   const estimation::Innovation& innovation = companions_.innovation(as_size(published_));
   result_.innovation = innovation.value;
   result_.innovation_variance = innovation.variance;
-  const GateDecision gate = innovation_gate(innovation.value, innovation.variance, supervision_.plausible(result_),
-                                            options_.checks.gate_sigma);
+  const GateDecision gate = gate_beyond_the_point(in_use);
   result_.ratio = gate.ratio;
-  bias_return_.look(innovation.value, innovation.variance);
+  if (estimate_of(published_).holds) bias_return_.look(innovation.value, innovation.variance);
   supervision_.gate(gate, {.held_back = bias_return_.sensor(), .loud = detection_.loud()}, result_);
   supervision_.qualify(false, result_, counters_, events_);
   note_fused(supervision_.available());
@@ -104,6 +108,16 @@ void MonitorCycle::fuse_beyond_the_point() noexcept {
   result_.estimates = result_.estimate.holds;
   ++(result_.estimates ? counters_.processed : counters_.withheld);
   result_.flags = estimate_flags();
+}
+
+/// Those in use among themselves; one that is left out by itself, so that it neither restrains nor excuses the others.
+GateDecision MonitorCycle::gate_beyond_the_point(estimation::SensorMask in_use) const noexcept {
+  const estimation::SensorMask plausible = supervision_.plausible(result_);
+  GateDecision gate =
+      innovation_gate(result_.innovation, result_.innovation_variance, plausible & in_use, options_.checks.gate_sigma);
+  for (int i = 0; i < sensors_; ++i)
+    if (plausible[as_size(i)] && !in_use[as_size(i)]) gate.rejected[as_size(i)] = gate.ratio(i) > 1.0;
+  return gate;
 }
 
 void MonitorCycle::note_fused(estimation::SensorMask in_use) noexcept {

@@ -75,6 +75,11 @@ class MonitorCycle {
   /// process. Refused, nothing is changed. Real-time safe: yes.
   Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
 
+  /// After resume(): the published estimator has gone on from a state of its own.
+  bool published_went_on() const noexcept {
+    return published_ == watch_filter || companions_.went_on(as_size(published_));
+  }
+
   /// The published estimator's, see estimator.h: what this flight has taught, what it begins with, and that it is over.
   /// Nothing where that is the watch filter. Real-time safe: yes.
   estimation::Learned learned() const noexcept {
@@ -117,6 +122,7 @@ class MonitorCycle {
   double distance_of_published() const noexcept;
   bool watch_holds(bool was_at_point) noexcept;
   void fuse_beyond_the_point() noexcept;
+  GateDecision gate_beyond_the_point(estimation::SensorMask in_use) const noexcept;
   void note_fused(estimation::SensorMask in_use) noexcept;
   void take_estimates() noexcept;
   estimation::Conditions conditions_of(const Sample& sample) const noexcept;

@@ -23,10 +23,10 @@ namespace ehm::monitor {
 
 /// What the gate is told beside the innovations.
 struct GateContext {
-  int held_back = -1;             ///< a sensor that is left out and does not yet fit its prediction
+  int held_back = -1;                ///< a sensor that is left out and does not yet fit its prediction
   estimation::SensorMask loud = {};  ///< whose noise is still too large
-  int suspect = -1;               ///< most likely at fault, while nothing has been named
-  bool detector_listens = false;  ///< what stays wild is its to name, not the gate's to keep out
+  int suspect = -1;                  ///< most likely at fault, while nothing has been named
+  bool detector_listens = false;     ///< what stays wild is its to name, not the gate's to keep out
 };
 
 class SensorSupervision {

@@ -90,10 +90,18 @@ void FlightKeeper::load(const EngineTable& engines) {
 /// Without what cannot be read of it; flights are added behind all the same.
 FlightHistory FlightKeeper::readable_history(std::uint32_t engine_id) {
   try {
-    return read_history(options_.directory, engine_id);
+    FlightHistory history = read_what_can_be(options_.directory, engine_id);
+    if (!history.damaged.empty()) {
+      const std::size_t more = history.damaged.size() - 1;
+      say(engine_id, true,
+          history.damaged.front() + (more == 0 ? "" : "; and " + std::to_string(more) + " lines more of it"));
+    }
+    return history;
   } catch (const files::FileError& error) {
     say(engine_id, true, error.what());
-    return {};
+    FlightHistory unknown;
+    unknown.damaged_since_flight = true;
+    return unknown;
   }
 }
 
@@ -113,6 +121,9 @@ void FlightKeeper::load_baseline(const EngineTable& engines, const FlightHistory
   if (baseline->engine_type != design->model.engine_type)
     throw files::FileError(file + ": is of engine type " + baseline->engine_type + ", now flies " +
                            design->model.engine_type + ": the engine starts as an unknown one");
+  if (history.damaged_since_flight)
+    throw files::FileError(file + ": lines behind the last flight of " + flights_path(options_.directory, engine_id) +
+                           " cannot be read, and may tell of a replacement: the engine starts as an unknown one");
   known.learned = baseline->latest;
   baselines_.emplace(engine_id, *baseline);
   maintain(history, design->model.health.size(), known.learned);
@@ -203,7 +214,8 @@ void FlightKeeper::store(const Prepared& with, const Landing& landing, Flight& f
       const std::string file = baseline_path(options_.directory, landing.engine_id);
       std::filesystem::rename(file, file + ".refused", there);
       say(landing.engine_id, false,
-          "a new baseline is begun, the one that was not taken is kept as " + file + ".refused");
+          "a new baseline is begun; the one that was not taken " +
+              (there ? "could not be kept: " + there.message() : "is kept as " + file + ".refused"));
     }
     if (learned) write_baseline(options_.directory, baseline);
     add_to_history(options_.directory, landing.engine_id, to_line(flight));

@@ -93,6 +93,12 @@ void write_baseline(const std::string& folder, const Baseline& baseline) {
 }
 
 FlightHistory read_history(const std::string& folder, std::uint32_t engine_id) {
+  FlightHistory history = read_what_can_be(folder, engine_id);
+  if (!history.damaged.empty()) throw files::FileError(history.damaged.front());
+  return history;
+}
+
+FlightHistory read_what_can_be(const std::string& folder, std::uint32_t engine_id) {
   FlightHistory history;
   const std::string file = flights_path(folder, engine_id);
   if (missing(file)) return history;
@@ -105,7 +111,13 @@ FlightHistory read_history(const std::string& folder, std::uint32_t engine_id) {
     begin = end + 1;
     if (line.empty()) continue;
     if (end < text.size()) {
-      history.entries.push_back(parse_line(line, where));
+      try {
+        history.entries.push_back(parse_line(line, where));
+        if (history.entries.back().flight) history.damaged_since_flight = false;
+      } catch (const files::FileError& error) {
+        history.damaged.emplace_back(error.what());
+        history.damaged_since_flight = true;
+      }
       continue;
     }
     try {

@@ -24,11 +24,15 @@ std::optional<Baseline> read_baseline(const std::string& folder, std::uint32_t e
 void write_baseline(const std::string& folder, const Baseline& baseline);
 
 struct FlightHistory {
-  std::vector<HistoryEntry> entries;  ///< in the order of the file
-  std::string torn;                   ///< a last line that a power cut has left incomplete; empty: there is none
+  std::vector<HistoryEntry> entries;      ///< in the order of the file
+  std::string torn = {};                  ///< a last line that a power cut has left incomplete; empty: there is none
+  std::vector<std::string> damaged = {};  ///< lines that cannot be read: each with file, line and what is wrong
+  bool damaged_since_flight = false;  ///< one of them is behind the last flight: maintenance may have been noted in it
 };
-/// Nothing where there is no such file.
+/// Nothing where there is no such file. @throws files::FileError for the first line that cannot be read.
 FlightHistory read_history(const std::string& folder, std::uint32_t engine_id);
+/// The same, but leaves such lines out.
+FlightHistory read_what_can_be(const std::string& folder, std::uint32_t engine_id);
 /// One line, as to_line() makes it, behind the others; it is on the disk when this returns. A torn last line is ended.
 void add_to_history(const std::string& folder, std::uint32_t engine_id, const std::string& line);
 

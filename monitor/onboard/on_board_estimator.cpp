@@ -113,7 +113,8 @@ bool OnBoardEstimator::use(SensorMask available) noexcept {
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) all.set(as_size(i));
   if ((available & all).none()) return false;
   estimate_.sensors = available & all;
-  if (estimate_.biased >= 0 && !available[as_size(estimate_.biased)]) estimate_.biased = -1;  // it is left out now
+  for (int* sensor : {&estimate_.biased, &estimate_.suspected})
+    if (*sensor >= 0 && !available[as_size(*sensor)]) *sensor = -1;  // it is left out now
   return true;
 }
 

@@ -215,7 +215,7 @@ void CycleThread::first_sample(EngineSlot& slot) {
   const auto event = checkpoints_ ? checkpoints_->resume(slot) : std::nullopt;
   if (event) report_event(slot, *event);
   // An estimator that its checkpoint has left cold goes on from its last flight.
-  const bool goes_on = event && event->detail == static_cast<std::uint32_t>(Resumption::taken);
+  const bool goes_on = event && !event->raised && slot.cycle.published_went_on();
   const bool known = flights_.begin(slot, goes_on);
   if (records_ && (known || (event && !event->raised))) records_->marker(slot, recording::RowKind::resumed);
 }

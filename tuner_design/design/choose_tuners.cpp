@@ -73,7 +73,7 @@ ChosenTuners choose_tuners(const Envelope& envelope, const std::vector<int>& sen
   }
   const std::vector<NamedTuners> starts = starts_of(envelope, sensors, t);
   if (options.tuning == design::Tuning::closed_form || t == envelope.points.front().model.L.cols() ||
-      chosen.problem.points.front().problem.own_readout) {
+      read_off(chosen.problem)) {
     chosen.search.V = starts.front().V;
     return chosen;
   }

@@ -35,7 +35,7 @@ bool is_answer(const monitor::Event& event);
 /// Writes down what the events of one sample answer.
 void note_answer(const monitor::Event& event, double since_onset_s, bool broken, FaultOutcome& outcome);
 
-/// The right channel of a sensor or a component was named; with nothing broken, nothing was.
+/// The right sensor was named, for a component any component; with nothing broken, nothing was.
 bool is_right(const FaultCase& what, const FaultOutcome& outcome);
 
 void to_sample(const engine_sim::EngineSample& from, double time_s, monitor::Sample& to);

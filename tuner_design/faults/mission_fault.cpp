@@ -99,7 +99,7 @@ class Mission {
   }
 
   void note_events(double now_s) {
-    const bool quiet = !running_ && now_s >= quiet_from_s_;
+    const bool quiet = !running_ && now_s >= quiet_from_s_ && cycle_.result().estimates;
     if (quiet) out_.flown_s += engine_sim_step_s();
     for (const monitor::Event& event : cycle_.events()) {
       if (running_)

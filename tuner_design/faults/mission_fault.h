@@ -39,7 +39,7 @@ struct SlotOutcome {
 
 struct MissionOutcome {
   std::vector<SlotOutcome> slots;
-  double flown_s = 0.0;          ///< with nothing broken, and nothing just mended
+  double flown_s = 0.0;          ///< with estimates, nothing broken, nothing just mended
   std::size_t false_alarms = 0;  ///< events that name something, within flown_s
   double samples = 0.0, estimated = 0.0;
   std::size_t judged = 0, covered = 0;             ///< health channels every 20 s, within 1.96 sigma

@@ -3,7 +3,7 @@
 // The study of faults over whole flights: flights in which things break by turns, and flights in which nothing does
 // (mission_fault.h), in the measures of SAE AIR4985:
 //   detection rate    something was said while it was broken       mean time to detect
-//   isolation rate    of those, the right one was named            mean time to diagnose, to the right name
+//   isolation rate    of those, the right sensor was named (for a component, a component)     mean time to diagnose
 //   false alarms      a flight hour with nothing broken
 // Shares have Wilson's 95 % intervals (J. Am. Stat. Assoc. 22 (1927) 209), counts Poisson's (false_alarm_study.h).
 // The confusion of the study has as many of each fault as the table gives; weighted, as many as fail in the field:

@@ -9,6 +9,7 @@
 #include "deploy/runtime/numbers/decompositions.h"
 #include "monitor/estimation/linear/lyapunov.h"
 #include "monitor/estimation/linear/riccati.h"
+#include "monitor/estimation/linear/solver_error.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -60,20 +61,28 @@ double slope(double rho1, double rho2, double s, double V) {
   return rho1 + 2.0 * rho2 * s * s * V;
 }
 
-RobustGain finished(const RobustProblem& p, const RobustWeights& weights, Parts parts, Eigen::VectorXd mu,
+/// dJ/dK where process noise counts c1 and the noise of sensor j c2_j, and the norm of its second term.
+Eigen::MatrixXd gradient_of(const RobustProblem& p, const Eigen::MatrixXd& K, double c1, const Eigen::VectorXd& c2,
+                            double* term) {
+  const Eigen::MatrixXd F = p.A - p.A * K * p.C, AK = p.A * K;
+  const Eigen::MatrixXd L = estimation::solve_discrete_lyapunov(F.transpose(), p.W);
+  const Eigen::MatrixXd R = c2.cwiseProduct(p.R).asDiagonal();
+  const Eigen::MatrixXd X = estimation::solve_discrete_lyapunov(F, c1 * p.Q + AK * R * AK.transpose());
+  if (term != nullptr) *term = (2.0 * p.A.transpose() * L * AK * R).norm();
+  return 2.0 * p.A.transpose() * L * (AK * R - F * X * p.C.transpose());
+}
+
+/// `c1`, `c2`: of the gradient at `parts`.
+RobustGain finished(const RobustProblem& p, Parts parts, double c1, const Eigen::VectorXd& c2, Eigen::VectorXd mu,
                     int equations) {
   RobustGain gain;
   gain.process = parts.process;
   gain.sensor = parts.sensors.sum();
   gain.mu = std::move(mu);
   gain.riccati_equations = equations;
-  Eigen::MatrixXd gradient;
-  gain.objective = robust_objective(p, weights, parts.K, &gradient);
-  const Eigen::MatrixXd F = p.A - p.A * parts.K * p.C;
-  const Eigen::MatrixXd L = estimation::solve_discrete_lyapunov(F.transpose(), p.W);
-  const double c2 = slope(weights.rho1, weights.rho2, weights.s2, gain.sensor);
-  const double term = (2.0 * c2 * p.A.transpose() * L * p.A * parts.K * p.R.asDiagonal()).norm();
-  gain.relative_gradient = term > 0.0 ? gradient.norm() / term : gradient.norm();
+  double term = 0.0;
+  const double norm = gradient_of(p, parts.K, c1, c2, &term).norm();
+  gain.relative_gradient = term > 0.0 ? norm / term : norm;
   gain.K = std::move(parts.K);
   return gain;
 }
@@ -118,7 +127,12 @@ RobustGain robust_gain(const RobustProblem& problem, const RobustWeights& weight
     high = root;
     at_high = at_root;
   }
-  return finished(problem, weights, parts, Eigen::VectorXd::Constant(m, std::exp(root)), equations);
+  const double c1 = slope(weights.rho1, weights.rho2, weights.s1, parts.process);
+  const double c2 = slope(weights.rho1, weights.rho2, weights.s2, parts.sensors.sum());
+  RobustGain gain = finished(problem, std::move(parts), c1, Eigen::VectorXd::Constant(m, c2),
+                             Eigen::VectorXd::Constant(m, std::exp(root)), equations);
+  gain.objective = robust_objective(problem, weights, gain.K);
+  return gain;
 }
 
 RobustGain robust_gain_by_sensor(const RobustProblem& problem, const RobustWeights& weights, const Eigen::VectorXd& s) {
@@ -128,7 +142,8 @@ RobustGain robust_gain_by_sensor(const RobustProblem& problem, const RobustWeigh
   Eigen::VectorXd log_mu = Eigen::VectorXd::Zero(s.size());
   int equations = 0;
   Parts parts;
-  for (double change = 1.0; change > 1e-12 && equations < most_steps; ++equations) {
+  double change = 1.0;
+  for (; change > 1e-13 && equations < most_steps; ++equations) {
     parts = kalman_parts(problem, log_mu.array().exp().matrix());
     Eigen::VectorXd next(s.size());
     for (Eigen::Index j = 0; j < s.size(); ++j)
@@ -136,10 +151,15 @@ RobustGain robust_gain_by_sensor(const RobustProblem& problem, const RobustWeigh
     change = (next - log_mu).cwiseAbs().maxCoeff();
     log_mu = 0.5 * (log_mu + next);  // each right side falls with its mu: half a step cannot run round in a circle
   }
-  RobustWeights common = weights;
-  common.s1 = 0.0;
-  common.s2 = 0.0;
-  return finished(problem, common, parts, log_mu.array().exp().matrix(), equations);
+  if (!(change <= 1e-13))
+    throw estimation::SolverError("robust gain by sensor: the factors still change by " + std::to_string(change) +
+                                  " after " + std::to_string(equations) + " Riccati equations");
+  const Eigen::VectorXd mu = log_mu.array().exp().matrix();
+  const Eigen::VectorXd variation = s.cwiseProduct(parts.sensors);
+  const double process = parts.process, sensors = parts.sensors.sum();
+  RobustGain gain = finished(problem, std::move(parts), weights.rho1, weights.rho1 * mu, mu, equations);
+  gain.objective = weights.rho1 * (process + sensors) + weights.rho2 * variation.squaredNorm();
+  return gain;
 }
 
 double robust_objective(const RobustProblem& problem, const RobustWeights& w, const Eigen::MatrixXd& K,
@@ -147,12 +167,9 @@ double robust_objective(const RobustProblem& problem, const RobustWeights& w, co
   const Parts parts = parts_of(problem, K);
   const double V1 = parts.process, V2 = parts.sensors.sum();
   if (gradient != nullptr) {
-    const double c1 = slope(w.rho1, w.rho2, w.s1, V1), c2 = slope(w.rho1, w.rho2, w.s2, V2);
-    const Eigen::MatrixXd F = problem.A - problem.A * K * problem.C, AK = problem.A * K;
-    const Eigen::MatrixXd L = estimation::solve_discrete_lyapunov(F.transpose(), problem.W);
-    const Eigen::MatrixXd R = problem.R.asDiagonal();
-    const Eigen::MatrixXd X = estimation::solve_discrete_lyapunov(F, c1 * problem.Q + c2 * AK * R * AK.transpose());
-    *gradient = 2.0 * problem.A.transpose() * L * (c2 * AK * R - F * X * problem.C.transpose());
+    const double c2 = slope(w.rho1, w.rho2, w.s2, V2);
+    *gradient =
+        gradient_of(problem, K, slope(w.rho1, w.rho2, w.s1, V1), Eigen::VectorXd::Constant(K.cols(), c2), nullptr);
   }
   return w.rho1 * (V1 + V2) + w.rho2 * (w.s1 * w.s1 * V1 * V1 + w.s2 * w.s2 * V2 * V2);
 }

@@ -13,7 +13,7 @@
 // gain is the Kalman gain for (Q, mu R), mu the root of one scalar equation whose right side falls with mu,
 //   mu = c2 / c1
 // Uncertainty by sensor: V2 = sum of V2_j, R_j scaled by mu_j = (rho1 + 2 rho2 s_j^2 V2_j)/rho1, s1 = 0: a fixed point.
-// Source: S. Kosanam, thesis, Cleveland State University, ch. 4; the closed form is our own (theory.md, section 7).
+// Source: S. Kosanam, thesis, Cleveland State University, ch. 4; the closed form is our own (theory.md, section 15).
 
 #include <Eigen/Core>
 #include <vector>
@@ -44,7 +44,8 @@ struct RobustGain {
 ///         not above zero. @throws estimation::SolverError if a Riccati equation has no solution.
 RobustGain robust_gain(const RobustProblem& problem, const RobustWeights& weights);
 
-/// Uncertainty of each sensor by itself; s1 of `weights` is not used, nor s2.
+/// Uncertainty of each sensor by itself, J = rho1 (V1 + V2) + rho2 sum of s_j^2 V2_j^2; s1 and s2 of `weights` are not
+/// used. @throws SolverError besides if the fixed point is not found.
 RobustGain robust_gain_by_sensor(const RobustProblem& problem, const RobustWeights& weights, const Eigen::VectorXd& s);
 
 /// The Kalman gain for (Q, diag(mu) R). @throws SolverError if the Riccati equation has no solution.

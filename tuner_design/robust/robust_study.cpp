@@ -69,6 +69,30 @@ Eigen::VectorXd dearest(const Filter& filter, const Eigen::VectorXd& doubted, do
   return mu_at(low);
 }
 
+/// V2 by sensor of the Kalman gain for (Q, diag(mu) R).
+Eigen::VectorXd noise_parts(const RobustProblem& p, const Eigen::VectorXd& mu) {
+  const Eigen::MatrixXd K = kalman_gain_for(p, mu);
+  RobustProblem alone = p;
+  alone.Q.setZero();
+  Eigen::VectorXd parts(p.R.size());
+  for (Eigen::Index j = 0; j < parts.size(); ++j) {
+    alone.R.setZero();
+    alone.R(j) = p.R(j);
+    parts(j) = robust_objective(alone, {1.0, 0.0, 0.0, 0.0}, K);
+  }
+  return parts;
+}
+
+/// rho2 s2^2/rho1 of which a common mu is the optimum: mu = 1 + 2 rho2 s2^2 V2.
+double doubt_of_all(const RobustProblem& p, double mu) {
+  return (mu - 1.0) / (2.0 * noise_parts(p, Eigen::VectorXd::Constant(p.R.size(), mu)).sum());
+}
+
+/// rho2 s_j^2/rho1 by sensor: mu_j = 1 + 2 rho2 s_j^2 V2_j.
+Eigen::VectorXd doubt_of_each(const RobustProblem& p, const Eigen::VectorXd& mu) {
+  return (mu.array() - 1.0).matrix().cwiseQuotient(2.0 * noise_parts(p, mu));
+}
+
 }  // namespace
 
 RobustStudy run_robust_study(const linear_model::LinearModel& model, const RobustStudyOptions& options) {
@@ -85,13 +109,9 @@ RobustStudy run_robust_study(const linear_model::LinearModel& model, const Robus
   const Eigen::MatrixXd standard = kalman_gain_for(p, everyone);
   study.standard = errors_of(filter, standard, p.R);
   const double most_error = (1.0 + options.nominal_loss) * study.standard.back();
-  const Eigen::VectorXd mu = dearest(filter, everyone, most_error);
-  const Eigen::MatrixXd robust = kalman_gain_for(p, mu);
-  study.mu = mu(0);
-  RobustWeights noise_alone{1.0, 0.0, 0.0, 0.0};
-  RobustProblem without = p;
-  without.Q.setZero();
-  study.rho2_s2 = (study.mu - 1.0) / (2.0 * robust_objective(without, noise_alone, robust));  // mu = 1 + 2 rho2 s2^2 V2
+  study.mu = dearest(filter, everyone, most_error)(0);
+  study.rho2_s2 = doubt_of_all(p, study.mu);
+  const Eigen::MatrixXd robust = robust_gain(p, {1.0, study.rho2_s2, 0.0, 1.0}).K;
   study.robust = errors_of(filter, robust, p.R);
   study.standard_wrong = errors_of(filter, standard, options.noise_factor * p.R);
   study.robust_wrong = errors_of(filter, robust, options.noise_factor * p.R);
@@ -101,7 +121,9 @@ RobustStudy run_robust_study(const linear_model::LinearModel& model, const Robus
     const Eigen::VectorXd doubted = Eigen::VectorXd::Unit(p.R.size(), j);
     Eigen::VectorXd R = p.R;
     R(j) *= options.noise_factor;
-    const Eigen::MatrixXd own = kalman_gain_for(p, dearest(filter, doubted, most_error));
+    const Eigen::VectorXd own_mu = dearest(filter, doubted, most_error);
+    const Eigen::VectorXd s = doubt_of_each(p, own_mu).cwiseSqrt();
+    const Eigen::MatrixXd own = robust_gain_by_sensor(p, {1.0, 1.0, 0.0, 0.0}, s).K;
     study.by_sensor.push_back({model.sensors[static_cast<std::size_t>(seeing[static_cast<std::size_t>(j)])].name,
                                errors_of(filter, standard, R).back(), errors_of(filter, robust, R).back(),
                                errors_of(filter, own, R).back()});

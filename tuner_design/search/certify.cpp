@@ -12,6 +12,7 @@ namespace {
 
 constexpr double gain_is_nothing = 1e-8;    ///< of J
 constexpr double starts_agree = 1e-6;       ///< of J
+constexpr double near_the_limit = 1.1;      ///< J over the limit's, of a design that was not searched
 constexpr double curvature_is_flat = 1e-7;  ///< of the largest
 
 /// Hessian of J on the row spaces at V, by central differences of the gradient: symmetric, t (p - t) square. In the
@@ -66,15 +67,15 @@ std::pair<double, double> ratios(const SearchProblem& problem, const SearchPoint
   return {health, objective(one, V)};
 }
 
-void decide(design::Certificate& c, bool nothing_to_choose, bool read_off) {
+void decide(design::Certificate& c, bool nothing_to_choose, bool not_searched) {
   std::ostringstream text;
   text.precision(3);
   c.at_optimum = false;
-  if (read_off) {
-    c.at_optimum = true;
-    text << "not searched: the estimate of least error is read off the tuners of the closed form, and no tuners could "
-            "gain more than the "
-         << 100.0 * (c.objective / c.lower_bound - 1.0) << " % that are left to the limit";
+  if (not_searched) {
+    c.at_optimum = c.objective <= near_the_limit * c.lower_bound;
+    text
+        << "not searched: the estimate of least error is read off these tuners, and no others could gain more than the "
+        << 100.0 * (c.objective / c.lower_bound - 1.0) << " % that are left to the limit";
   } else if (nothing_to_choose) {
     c.at_optimum = true;
     text << "nothing to choose: as many tuners as health parameters";
@@ -98,6 +99,12 @@ void decide(design::Certificate& c, bool nothing_to_choose, bool read_off) {
 
 }  // namespace
 
+bool read_off(const SearchProblem& problem) {
+  return problem.estimator == Estimator::kalman &&
+         std::all_of(problem.points.begin(), problem.points.end(),
+                     [](const SearchPoint& point) { return point.problem.own_readout; });
+}
+
 void certify(design::Certificate& certificate, const SearchProblem& problem, const Eigen::MatrixXd& V) {
   certificate.objective = objective(problem, V);
   certificate.lower_bound = 0.0;
@@ -112,13 +119,12 @@ void certify(design::Certificate& certificate, const SearchProblem& problem, con
     weights += point.weight;
   }
   certificate.lower_bound /= weights;
-  const bool read_off = problem.points.front().problem.own_readout && problem.estimator == Estimator::kalman;
-  if (read_off) {
+  if (read_off(problem)) {
     certificate.possible_gain = certificate.objective - certificate.lower_bound;
   } else {
     add_curvature(certificate, problem, V);
   }
-  decide(certificate, V.rows() == V.cols(), read_off);
+  decide(certificate, V.rows() == V.cols(), read_off(problem));
 }
 
 }  // namespace ehm::tuner_design

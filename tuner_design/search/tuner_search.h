@@ -32,6 +32,9 @@ struct SearchProblem {
   double qh_percent2 = 1e-3;  ///< Kalman filter only
 };
 
+/// At every point the filter's estimates are read off with least error: J hardly knows V, and nothing is searched.
+bool read_off(const SearchProblem& problem);
+
 /// J of orthonormal rows V; a large finite number where a filter has no solution, with a gradient of zero.
 double objective(const SearchProblem& problem, const Eigen::MatrixXd& V, Eigen::MatrixXd* gradient = nullptr);
 

@@ -31,7 +31,8 @@ bool set_read_out(Output& T, const Mean& X, const Noise& S, const Eigen::MatrixX
   Output wanted(p + r, t);  // E[[h; z - F x] q^T]
   wanted.topRows(p).noalias() = Gh.lazyProduct(Xq.transpose());
   wanted.bottomRows(r).noalias() = Gz.lazyProduct(Xq.transpose());
-  Output Fx(r, X.cols());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Output::MaxRowsAtCompileTime, Mean::MaxColsAtCompileTime> Fx(
+      r, X.cols());
   Fx.noalias() = F.lazyProduct(X.topRows(n));
   wanted.bottomRows(r).noalias() -= Fx.lazyProduct(Xq.transpose());
   wanted.bottomRows(r).noalias() -= F.lazyProduct(S.topRightCorner(n, t));

@@ -7,6 +7,7 @@
 #include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/engines/shipped_engines.h"
 #include "engine_sim/scenario/scenario_file.h"
+#include "engine_sim/simulation.h"
 #include "tests/temporary_folder.h"
 #include "tests/unit/deploy/runtime/config/config_file.h"
 
@@ -49,6 +50,27 @@ TEST_F(EngineKeysTest, WhatIsNotGivenIsTheEnginesOwn) {
   EXPECT_EQ(s.control.fuel.acceleration.size(), s.engine->control.fuel.acceleration.size());
   EXPECT_EQ(s.sensors.lag_temperature_s, 0.7);
   EXPECT_FALSE(s.sensors.noise_temperature_percent);
+}
+
+// The first part of the power lever's way does nothing: there the idle loop decides, on the ground and aloft.
+TEST_F(EngineKeysTest, APowerLeverAtZeroIsIdleForEveryShippedEngine) {
+  for (const char* engine : {"jt9d", "high_bypass"}) {
+    for (const char* flight : {"altitude_m = 0\nmach = 0\n", "altitude_m = 6000\nmach = 0.6\n"}) {
+      SCOPED_TRACE(std::string(engine) + ", " + flight);
+      const auto core_speed_at = [&](const char* percent) {
+        engine_sim::Simulation simulation(load(std::string("[engine]\nmodel = \"") + engine + "\"\n[flight]\n" +
+                                               flight + "[demand]\nkind = \"power_lever_percent\"\nvalue = 60\n" +
+                                               "[[profile]]\ntime_s = 0\npower_lever_percent = 60\n" +
+                                               "[[profile]]\ntime_s = 1\npower_lever_percent = " + percent + "\n"));
+        while (simulation.time_s() < 40.0) simulation.next();
+        const engine_sim::SimSample sample = simulation.next();
+        return sample.readings[1].value;  // Nc
+      };
+      const double zero = core_speed_at("0"), little = core_speed_at("3"), most = core_speed_at("85");
+      EXPECT_NEAR(zero / little, 1.0, 0.01);  // noise 0.25 %
+      EXPECT_GT(most, 1.03 * zero);
+    }
+  }
 }
 
 TEST_F(EngineKeysTest, TablesSpeakOfItsChannels) {

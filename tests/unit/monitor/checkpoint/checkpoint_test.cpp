@@ -66,6 +66,10 @@ TEST(Checkpoint, RoundTripsToTheBit) {
   EXPECT_EQ(companion.state.error.covariance, stored.state.error.covariance);
   EXPECT_EQ(companion.state.error.remaining, stored.state.error.remaining);
   EXPECT_EQ(after.state.return_gate.age_s, before.state.return_gate.age_s);
+  EXPECT_EQ(after.state.bias_return.sensor, before.state.bias_return.sensor);
+  EXPECT_EQ(after.state.bias_return.mean, before.state.bias_return.mean);
+  EXPECT_EQ(after.state.bias_return.largest, before.state.bias_return.largest);
+  EXPECT_EQ(after.state.bias_return.least, before.state.bias_return.least);
 }
 
 TEST(Checkpoint, EveryTruncationIsRefused) {
@@ -101,6 +105,8 @@ TEST(Checkpoint, DefectsBehindTheHashAreNamed) {
   EXPECT_THAT(message(changed("/return_gate/narrow_variance", 0.0)), HasSubstr("return_gate.narrow_variance"));
   EXPECT_THAT(message(changed("/error/covariance/0/1", 0.1)), HasSubstr("error.covariance is 0.1"));
   EXPECT_THAT(message(changed("/held_samples", -1)), HasSubstr("held_samples is -1; allowed: 0 to"));
+  EXPECT_THAT(message(changed("/bias_return/sensor", 16)), HasSubstr("bias_return.sensor is 16; allowed: -1 to 15"));
+  EXPECT_THAT(message(changed("/bias_return/largest", -1.0)), HasSubstr("bias_return.largest is -1"));
   EXPECT_THAT(message(changed("/surplus", 1)), HasSubstr("surplus"));
 }
 
@@ -156,6 +162,7 @@ TEST(Checkpoint, OneOfAnEarlierVersionIsReadWithoutCompanions) {
   EXPECT_THAT(message(with_hash(j)), HasSubstr("companions"));  // that version had none
   j.erase("companions");
   j.erase("held_samples");
+  j.erase("bias_return");
   const Checkpoint before = test::some_checkpoint(), after = parse_checkpoint(with_hash(j), "some.json");
   EXPECT_EQ(after.state.watch.estimate, before.state.watch.estimate);
   EXPECT_EQ(after.state.watch.error.covariance, before.state.watch.error.covariance);

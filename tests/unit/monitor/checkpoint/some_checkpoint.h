@@ -22,6 +22,7 @@ inline monitor::Checkpoint some_checkpoint(std::uint32_t engine_id = 7) {
   c.state.watch.error.covariance = Eigen::MatrixXd::Identity(4, 4) / 7.0;
   c.state.watch.error.remaining = 11;
   c.state.return_gate = {0.25, 0.5, 2.0, 17.0};
+  c.state.bias_return = {5, -12.5, 20.0, 3.0};
   c.state.companions.push_back({"time_varying", {.error = c.state.watch.error}});
   c.state.companions.back().state.estimate = Eigen::VectorXd::LinSpaced(4, 0.7, -1.0 / 3.0);
   c.state.companions.back().state.error.mean.resize(4, 0);  // a model without nonlinearity

@@ -47,6 +47,23 @@ TEST(BiasReturn, ComesBackThoughItsPredictionHasMovedWithinTheDoubt) {
   EXPECT_LT(after, 5 * BiasReturn::mean_samples);
 }
 
+// What the engine does later is no measure of the bias.
+TEST(BiasReturn, ALaterChangeOfTheEngineDoesNotBringABiasBack) {
+  BiasReturn back = left_out();
+  ASSERT_EQ(back_after(back, 36.0, 100.0, 2000), never);
+  ASSERT_EQ(back_after(back, 90.0, 100.0, 1000), never);  // a component steps
+  EXPECT_EQ(back_after(back, 36.0, 100.0, 5000), never);  // and is learned: 36 is less than half of 90
+}
+
+TEST(BiasReturn, GoesOnFromItsMemory) {
+  BiasReturn before = left_out(), after;
+  ASSERT_EQ(back_after(before, 36.0, 11.0, 1000), never);
+  after.remember(before.memory());
+  EXPECT_EQ(after.sensor(), 0);
+  EXPECT_EQ(back_after(after, 36.0, 100.0, 5000), never);
+  EXPECT_NE(back_after(after, -2.0, 11.0, 2000), never);
+}
+
 TEST(BiasReturn, StaysOutBeyondTheDoubt) {
   BiasReturn back = left_out();
   ASSERT_EQ(back_after(back, 36.0, 2.0, 500), never);

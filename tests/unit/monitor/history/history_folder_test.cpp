@@ -74,6 +74,19 @@ TEST_F(HistoryFolderTest, ALineThatWasCutOffIsLeftOutAndTheNextOneStandsByItself
   }
 }
 
+TEST_F(HistoryFolderTest, WhatCanBeReadOfADamagedListIsTakenAndTheRestIsNamed) {
+  const std::string flight = to_line(some_flight(1)), later = to_line(some_flight(2));
+  folder_.file("engine_7_flights.jsonl", flight + "no flight\n" + later);
+  const FlightHistory between = read_what_can_be(folder_.path(), 7);
+  EXPECT_EQ(between.entries.size(), 2u);
+  ASSERT_EQ(between.damaged.size(), 1u);
+  EXPECT_THAT(between.damaged[0], HasSubstr("engine_7_flights.jsonl:2"));
+  EXPECT_FALSE(between.damaged_since_flight);
+  // Behind the last flight it may have been a replacement.
+  folder_.file("engine_8_flights.jsonl", flight + later + "no flight\n");
+  EXPECT_TRUE(read_what_can_be(folder_.path(), 8).damaged_since_flight);
+}
+
 TEST_F(HistoryFolderTest, TellsWhichEnginesItKnows) {
   folder_.file("engine_12.json", "a checkpoint");
   folder_.file("engine_x_flights.jsonl", "");

@@ -93,6 +93,13 @@ TEST(RobustGain, BySensorOnlyTheUncertainOneIsTrustedLess) {
   EXPECT_NEAR(gain.mu(0), 1.0, 1e-12);
   EXPECT_GT(gain.mu(1), 1.01);
   EXPECT_NEAR(gain.mu(2), 1.0, 1e-12);
+  EXPECT_LT(gain.relative_gradient, 1e-10);
+  // alike, it is the gain of one uncertainty for all only where each V2_j is the whole V2: of one sensor
+  const RobustProblem one = seeded(5, 1, 12);
+  const RobustGain by_sensor = robust_gain_by_sensor(one, {1.0, 1.0, 0.0, 0.0}, Eigen::VectorXd::Ones(1)),
+                   common = robust_gain(one, {1.0, 1.0, 0.0, 1.0});
+  EXPECT_NEAR(by_sensor.mu(0), common.mu(0), 1e-9);
+  EXPECT_NEAR(by_sensor.objective, common.objective, 1e-9 * common.objective);
 }
 
 TEST(RobustGain, TheTradeFallsInOnePartAndRisesInTheOther) {
