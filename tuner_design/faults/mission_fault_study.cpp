@@ -83,7 +83,8 @@ std::array<double, 2> Share::interval() const {
   const auto n = static_cast<double>(whole);
   const double p = value(), middle = p + z * z / (2.0 * n);
   const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-  return {(middle - half) / (1.0 + z * z / n), (middle + half) / (1.0 + z * z / n)};
+  const double size = 1.0 + z * z / n;  // at 0 and 1 the bounds are exact but for rounding
+  return {std::max(0.0, (middle - half) / size), std::min(1.0, (middle + half) / size)};
 }
 
 MissionFaultRow sum_of(const MissionFaultStudy& study, const std::function<bool(const MissionFaultRow&)>& belongs) {
