@@ -217,7 +217,9 @@ void declare(Schema& schema, SimConfig& c) {
                 {"t40_k", "n1_rpm", "net_thrust_n", "fuel_flow_kg_s", "power_lever_percent"},
                 "what demand.value is, for the new engine");
   schema.real("demand.value", s.demand.value, 0, 1e6, "by kind",
-              "demand at the start; the control holds the fan speed that it gives (power lever: power_lever.h)");
+              "demand at the start; the control holds the fan speed that it gives; of the power lever 0 is idle, and "
+              "100 the limit "
+              "of corrected fan speed");
   c.engine_keys.declare(schema, s);
   c.mismatch_keys.declare(schema);
   c.mission_keys.declare(schema);

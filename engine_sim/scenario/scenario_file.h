@@ -52,8 +52,8 @@ struct SimConfig {
   std::shared_ptr<const linear_model::LinearModel> linear;
   std::string demand_kind = "t40_k";
   std::vector<std::optional<double>> profile_levers;  ///< percent, of each point of the profile
-  std::string rate = "1";             ///< times real time, or "max": lockstep with the monitor
-  std::int64_t lockstep_window = 16;  ///< samples that may be unanswered under "max"
+  std::string rate = "1";                             ///< times real time, or "max": lockstep with the monitor
+  std::int64_t lockstep_window = 16;                  ///< samples that may be unanswered under "max"
   std::int64_t wait_for_monitors = 0;
   std::int64_t domain = 0;
   std::string partition, profiles_file, profile = "ehm_participant", security;

@@ -140,8 +140,8 @@ BiasReturn::Memory bias_return_from_json(JsonObject& root) {
   memory.mean = object.number("mean");
   memory.largest = object.number("largest");
   memory.least = object.number("least");
-  if (memory.largest < 0.0 || memory.least < 0.0)
-    state_json::defect(object, "largest", std::min(memory.largest, memory.least), "0 or more, as least");
+  if (memory.largest < 0.0) state_json::defect(object, "largest", memory.largest, "0 or more");
+  if (memory.least < 0.0) state_json::defect(object, "least", memory.least, "0 or more");
   object.refuse_unknown();
   return memory;
 }

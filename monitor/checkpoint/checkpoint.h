@@ -4,8 +4,8 @@
 //
 // As a file: JSON, schema "ehm-checkpoint/3", numbers in shortest exact form, and the SHA-256 of the content without
 // the hash itself, as in a design file. Anyone may read it; nobody should edit it. Earlier versions are
-// read too: "ehm-checkpoint/2", without bias_return and in which no companion has a key learned, and "ehm-checkpoint/1", which has no companions
-// and no held_samples.
+// read too: "ehm-checkpoint/2", without bias_return and in which no companion has a key learned, and
+// "ehm-checkpoint/1", which has no companions and no held_samples.
 
 #include <array>
 #include <cstdint>

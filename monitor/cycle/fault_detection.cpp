@@ -145,35 +145,29 @@ void FaultDetection::follow_noise(const estimation::Innovation& innovation, Sens
   }
 }
 
+namespace {
+
+/// Ends the condition of a channel that is found no more, then raises that of the one that is; found -1: none.
+void follow_channel(Condition& condition, std::uint32_t& channel, int found, Event event, EventList& events) noexcept {
+  const auto now = static_cast<std::uint32_t>(std::max(found, 0));
+  if (condition.raised() && (found < 0 || now != channel))
+    condition.set(false, {.kind = event.kind, .channel = channel}, events);
+  if (found < 0) return;
+  channel = event.channel = now;
+  condition.set(true, event, events);
+}
+
+}  // namespace
+
 int FaultDetection::follow(const estimation::Estimate& published, const estimation::Innovation& innovation,
                            SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept {
   if (published.holds) follow_noise(innovation, supervision, result, events);
-  const bool stepped = published.stepped >= 0;
-  const auto channel = static_cast<std::uint32_t>(std::max(published.stepped, 0));
-  if (published_step_.raised() && (!stepped || channel != stepped_channel_))
-    published_step_.set(false, {.kind = idl::EventKind::health_shift, .channel = stepped_channel_}, events);
-  if (stepped) {
-    stepped_channel_ = channel;
-    published_step_.set(true,
-                        {.kind = idl::EventKind::health_shift,
-                         .channel = channel,
-                         .value = published.step,
-                         .threshold = published.least_step},
-                        events);
-  }
-  const bool unsure = published.suspected >= 0;
-  const auto suspected = static_cast<std::uint32_t>(std::max(published.suspected, 0));
-  if (ambiguous_.raised() && (!unsure || suspected != ambiguous_channel_))
-    ambiguous_.set(false, {.kind = idl::EventKind::ambiguous_fault, .channel = ambiguous_channel_}, events);
-  if (unsure) {
-    ambiguous_channel_ = suspected;
-    ambiguous_.set(true,
-                   {.kind = idl::EventKind::ambiguous_fault,
-                    .channel = suspected,
-                    .value = published.bias,
-                    .threshold = published.least_bias},
-                   events);
-  }
+  follow_channel(published_step_, stepped_channel_, published.stepped,
+                 {.kind = idl::EventKind::health_shift, .value = published.step, .threshold = published.least_step},
+                 events);
+  follow_channel(ambiguous_, ambiguous_channel_, published.suspected,
+                 {.kind = idl::EventKind::ambiguous_fault, .value = published.bias, .threshold = published.least_bias},
+                 events);
   const int sensor = published.biased;
   if (sensor < 0 || supervision.excluded(sensor)) return -1;
   supervision.exclude(sensor,

@@ -39,8 +39,8 @@ class FaultDetection {
   /// The engine flies on where the watch filter's model does not hold: what it has found and not settled ends.
   void leave_point(EventList& events) noexcept;
   /// Where the watch filter's model does not hold: the step of health, the bias of a sensor, or what may be either, that
-  /// the published estimator has found by itself; and a sensor whose noise has grown against its innovations. Excludes the sensor.
-  /// @returns which has been excluded for a bias now; -1: none.
+  /// the published estimator has found by itself; and a sensor whose noise has grown against its innovations. Excludes
+  /// the sensor. @returns which has been excluded for a bias now; -1: none.
   int follow(const estimation::Estimate& published, const estimation::Innovation& innovation,
              SensorSupervision& supervision, CycleResult& result, EventList& events) noexcept;
 

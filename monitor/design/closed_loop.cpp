@@ -15,12 +15,16 @@ Eigen::MatrixXd settled(const Eigen::MatrixXd& closed_loop, const Eigen::MatrixX
   return (Eigen::MatrixXd::Identity(size, size) - closed_loop).partialPivLu().solve(drive);
 }
 
-Eigen::MatrixXd tuner_noise(const SubsetDesign& subset, const linear_model::LinearModel& model) {
+Eigen::MatrixXd noise_of_a_sample(const SubsetDesign& subset, const linear_model::LinearModel& model) {
   const Eigen::MatrixXd entry = process_noise_entry(subset, model.A.rows());
   const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
-  const Eigen::MatrixXd noise = subset.K * R * subset.K.transpose() + entry * model.process_noise * entry.transpose();
+  return subset.K * R * subset.K.transpose() + entry * model.process_noise * entry.transpose();
+}
+
+Eigen::MatrixXd tuner_noise(const SubsetDesign& subset, const linear_model::LinearModel& model) {
   const Eigen::Index t = subset.V.rows();
-  return estimation::solve_discrete_lyapunov(closed_loop(subset), noise).bottomRightCorner(t, t);
+  return estimation::solve_discrete_lyapunov(closed_loop(subset), noise_of_a_sample(subset, model))
+      .bottomRightCorner(t, t);
 }
 
 Eigen::MatrixXd process_noise_entry(const SubsetDesign& subset, Eigen::Index n) {

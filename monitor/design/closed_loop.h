@@ -20,8 +20,12 @@ Eigen::MatrixXd closed_loop(const SubsetDesign& subset);
 /// (I - Acl)^-1 drive, a column for every column of `drive`.
 Eigen::MatrixXd settled(const Eigen::MatrixXd& closed_loop, const Eigen::MatrixXd& drive);
 
+/// What each sample's noise of the sensors, and of the engine's own motion, adds to the covariance of xq+:
+/// K R K^T + (I - K C) [I; 0] Q [I; 0]^T (I - K C)^T, (n+t) x (n+t). `model` scaled.
+Eigen::MatrixXd noise_of_a_sample(const SubsetDesign& subset, const linear_model::LinearModel& model);
+
 /// Covariance of the noise that the sensors and the engine's own motion leave on the tuners, t x t:
-/// S = Acl S Acl^T + K R K^T + (I - K C) [I; 0] Q [I; 0]^T (I - K C)^T, its lower right corner. `model` scaled.
+/// S = Acl S Acl^T + noise_of_a_sample, its lower right corner. `model` scaled.
 /// @throws estimation::SolverError if the closed loop is not stable.
 Eigen::MatrixXd tuner_noise(const SubsetDesign& subset, const linear_model::LinearModel& model);
 

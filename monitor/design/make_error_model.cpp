@@ -17,8 +17,7 @@ void add_noise(estimation::ErrorModel& error, const linear_model::LinearModel& m
   const Eigen::Index n = model.C.cols(), size = subset.A.rows();
   const Eigen::MatrixXd& Q = model.process_noise;
   const Eigen::MatrixXd R = model.sensor_noise_sigma.cwiseAbs2().asDiagonal();
-  const Eigen::MatrixXd entry = process_noise_entry(subset, n);
-  error.noise = subset.K * R * subset.K.transpose() + entry * Q * entry.transpose();
+  error.noise = noise_of_a_sample(subset, model);
   error.start.setZero(size, size);
   error.start.topLeftCorner(n, n) = linear_model::stationary_covariance(subset.A.topLeftCorner(n, n), Q);
   error.innovation_noise = (model.C * Q * model.C.transpose()).diagonal() + R.diagonal();

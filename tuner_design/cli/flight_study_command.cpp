@@ -2,6 +2,7 @@
 #include "tuner_design/cli/flight_study_command.h"
 
 #include <cmath>
+#include <utility>
 
 #include "deploy/runtime/files/file_error.h"
 #include "monitor/design/design_file.h"
@@ -82,22 +83,17 @@ void flight_study(const std::string& study, const FlightStudyArguments& argument
         output, console, [&](const auto& progress) { return run_start_study(options, progress); }, print_start_study,
         start_study_as_json);
   }
-  if (study == "points") {
-    PointStudyOptions options = given_to(arguments.points, given);
+  const auto show_of_engines = [&](auto options, const auto& run, const auto& print, const auto& as_json) {
+    options = given_to(std::move(options), given);
     options.seed = given.seed;
     options.engines = arguments.fleet.value_or(options.engines);
-    return show(
-        output, console, [&](const auto& progress) { return run_point_study(options, progress); }, print_point_study,
-        point_study_as_json);
-  }
-  if (study == "margin") {
-    MarginStudyOptions options = given_to(arguments.margin, given);
-    options.seed = given.seed;
-    options.engines = arguments.fleet.value_or(options.engines);
-    return show(
-        output, console, [&](const auto& progress) { return run_margin_study(options, progress); }, print_margin_study,
-        margin_study_as_json);
-  }
+    show(
+        output, console, [&](const auto& progress) { return run(options, progress); }, print, as_json);
+  };
+  if (study == "points")
+    return show_of_engines(arguments.points, run_point_study, print_point_study, point_study_as_json);
+  if (study == "margin")
+    return show_of_engines(arguments.margin, run_margin_study, print_margin_study, margin_study_as_json);
   FlightStudyOptions options = given_to(arguments.flight, given);
   options.draw.seed = given.seed;
   options.engines = arguments.fleet.value_or(options.engines);

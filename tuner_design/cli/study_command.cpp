@@ -53,6 +53,24 @@ ImportedModel model_of(const Arguments& arguments) {
                                  : import_model(arguments.model, arguments.import);
 }
 
+/// A study of a model, with what the import has assumed of it.
+template <class Study>
+void print_of_model(const Arguments& arguments, const Console& console, const ImportedModel& imported,
+                    const Study& study, nlohmann::ordered_json (*as_json)(const Study&),
+                    void (*print)(const Study&, std::ostream&)) {
+  print_result(
+      console, arguments.output,
+      [&] {
+        nlohmann::ordered_json json = as_json(study);
+        json["assumed"] = imported.assumed;
+        return json;
+      },
+      [&](std::ostream& out) {
+        print(study, out);
+        print_assumed(imported.assumed, out);
+      });
+}
+
 void run_robust(const Arguments& arguments, const Console& console) {
   if (!arguments.csv.empty()) throw CLI::ValidationError("--csv", "does not go with robust; --json has every number");
   const ImportedModel imported = model_of(arguments);
@@ -62,17 +80,7 @@ void run_robust(const Arguments& arguments, const Console& console) {
   } catch (const std::invalid_argument& error) {
     throw files::FileError((arguments.model.empty() ? "" : arguments.model + ": ") + error.what());
   }
-  print_result(
-      console, arguments.output,
-      [&] {
-        nlohmann::ordered_json json = robust_study_as_json(study);
-        json["assumed"] = imported.assumed;
-        return json;
-      },
-      [&](std::ostream& out) {
-        print_robust_study(study, out);
-        print_assumed(imported.assumed, out);
-      });
+  print_of_model(arguments, console, imported, study, robust_study_as_json, print_robust_study);
 }
 
 void run_study(Arguments arguments, const Console& console) {
@@ -112,17 +120,7 @@ void run_study(Arguments arguments, const Console& console) {
     require_other_file("--csv", arguments.csv, {arguments.model});
     files::write_file_atomically(arguments.csv, study_csv(study));
   }
-  print_result(
-      console, arguments.output,
-      [&] {
-        nlohmann::ordered_json json = study_as_json(study);
-        json["assumed"] = imported.assumed;
-        return json;
-      },
-      [&](std::ostream& out) {
-        print_study(study, out);
-        print_assumed(imported.assumed, out);
-      });
+  print_of_model(arguments, console, imported, study, study_as_json, print_study);
 }
 
 }  // namespace

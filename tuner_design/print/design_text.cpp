@@ -181,7 +181,8 @@ void print_design(const Design& design, std::ostream& out) {
   print_errors(design, out);
   print_missing(design, out);
   const design::ErrorByChannel real = design.real_error();
-  out << "\n  " << (design.linearisation.health.sum() > 0.0 ? "(SSEE + nonlinear)" : "SSEE") << " / limit: health " << ratio(real.health.sum(), design.bayes_limit.health.sum());
+  out << "\n  " << (design.linearisation.health.sum() > 0.0 ? "(SSEE + nonlinear)" : "SSEE") << " / limit: health "
+      << ratio(real.health.sum(), design.bayes_limit.health.sum());
   if (!design.model.auxiliary.empty()) {
     out << ", auxiliary " << ratio(real.auxiliary.sum(), design.bayes_limit.auxiliary.sum());
   }

@@ -36,7 +36,8 @@ std::vector<Compared> from_worst_to_best(const ReportData& data) {
       from("MAP on the tuners", "one noisy snapshot", design.reduced_map),
       from("This design, with nonlinearity", "what the linear model misses is added",
            {data.health.total, data.auxiliary.total}, design.full.slowest_time_constant_s),
-      from("This design", "on the linear engine, whose limit is lower where the model knows what it misses", design.ssee, design.full.slowest_time_constant_s)};
+      from("This design", "on the linear engine, whose limit is lower where the model knows what it misses",
+           design.ssee, design.full.slowest_time_constant_s)};
   for (const Baseline& baseline : data.studies.baselines) {
     const auto known = baseline_names.find(baseline.name);
     if (known != baseline_names.end())

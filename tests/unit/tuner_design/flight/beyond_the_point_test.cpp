@@ -15,6 +15,7 @@
 #include "idl/wire_values.h"
 #include "monitor/cycle/monitor_cycle.h"
 #include "tuner_design/design/design_tuner.h"
+#include "tuner_design/faults/fault_answer.h"
 #include "tuner_design/linearise/linearise.h"
 
 namespace ehm::tuner_design {
@@ -49,19 +50,9 @@ class Flown {
     const double time_s = simulation_.time_s();
     const engine_sim::EngineSample from = simulation_.next_sample();
     monitor::Sample to;
-    to.schema = idl::schema_version;
-    to.source_id = 1;
-    to.sequence = from.sequence;
-    to.source_time_ns = std::llround(1e9 * time_s);
-    to.flight = {from.flight.altitude_m, from.flight.mach, from.flight.delta_isa_k};
-    to.actuator_count = static_cast<std::uint32_t>(from.actuators.size());
-    to.sensor_count = static_cast<std::uint32_t>(from.sensors.size());
-    std::copy(from.actuators.begin(), from.actuators.end(), to.actuator.begin());
+    to_sample(from, time_s, to);
     to.actuator[0] *= fuel_factor;
-    for (std::size_t i = 0; i < from.sensors.size(); ++i) {
-      to.sensor[i] = from.sensors[i].value * (i == biased_ ? bias_ + noise_ * random_.normal() : 1.0);
-      to.sensor_valid |= 1u << i;
-    }
+    to.sensor[biased_] *= bias_ + noise_ * random_.normal();
     EXPECT_TRUE(cycle_.process(to));
     for (const monitor::Event& event : cycle_.events()) {
       if (event.kind == idl::EventKind::health_shift) shifts_.push_back(event);
