@@ -77,10 +77,16 @@ struct EstimatorOptions {
   std::string published = "tuner";  ///< whose estimates go out as EngineHealth and EngineAuxiliary
   std::string shadow;               ///< whose go out under their own names beside them, with commas between
   double memory_s = 3600.0;         ///< of gauss_markov: in which it forgets what no sensor sees
-  std::string engine;               ///< of onboard: name or file; empty: the design's
+  std::string engine;               ///< of onboard and the nonlinear filters: name or file; empty: the design's
   std::string mismatch = "all";     ///< of onboard: which causes it looks for (mismatch_choices)
   double lag_speed_s = 0.02, lag_pressure_s = 0.04, lag_temperature_s = 0.7;  ///< of onboard, where its file has none
-  std::string noise_of = "reading";  ///< of onboard: what the percents of noise are of, or "trim": the design's sigmas
+  std::string noise_of = "reading";   ///< of onboard: what the percents of noise are of, or "trim": the design's sigmas
+  double health_walk_percent = 1e-4;  ///< of the nonlinear filters: what health may change by within 15 ms
+  std::int64_t iterations = 5;        ///< of iekf, at most
+  double box_sigma = 4.0;             ///< of clipped_ekf and cekpf: bounds of health, in sigmas of the fleet
+  std::string sigma_points = "symmetric", unscented_form = "additive";        ///< of ukf
+  std::int64_t particles = 50;                                                ///< of particle, ekpf, cekpf
+  std::string particle_weights = "likelihood", particle_jacobian = "shared";  ///< of ekpf, cekpf
   friend bool operator==(const EstimatorOptions&, const EstimatorOptions&) = default;
 };
 

@@ -8,6 +8,7 @@
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
 #include "monitor/design/make_full_order.h"
+#include "monitor/design/make_nonlinear.h"
 #include "monitor/design/make_on_board.h"
 #include "monitor/design/make_scheduled.h"
 
@@ -17,20 +18,28 @@ namespace {
 using estimation::Estimator;
 using monitor::EstimatorOptions;
 
+template <NonlinearKind kind>
+std::unique_ptr<Estimator> nonlinear(const Design& design, const EstimatorOptions& options,
+                                     const estimation::PointDistance&) {
+  return make_nonlinear_estimator(kind, design, options);
+}
+
 constexpr std::array kinds{
-    EstimatorKind{tuner_name, "steady-state Kalman filter on the tuners q = V* h",
+    EstimatorKind{tuner_name, "steady-state Kalman filter on the tuners q = V* h", EstimatorBasis::design,
                   [](const Design& design, const EstimatorOptions&,
                      const estimation::PointDistance& distance) -> std::unique_ptr<Estimator> {
                     return std::make_unique<estimation::TunerEstimator>(make_tuner_model(design), distance);
                   }},
     EstimatorKind{"gauss_markov",
                   "steady-state Kalman filter on all health parameters, which fade in estimator.memory_s",
+                  EstimatorBasis::design,
                   [](const Design& design, const EstimatorOptions& options,
                      const estimation::PointDistance& distance) -> std::unique_ptr<Estimator> {
                     return std::make_unique<estimation::GaussMarkovEstimator>(
                         make_gauss_markov_model(design, options.memory_s), distance);
                   }},
     EstimatorKind{"time_varying", "Kalman filter on all health parameters, constant: exact, and deaf to later changes",
+                  EstimatorBasis::design,
                   [](const Design& design, const EstimatorOptions&,
                      const estimation::PointDistance& distance) -> std::unique_ptr<Estimator> {
                     return std::make_unique<estimation::TimeVaryingEstimator>(make_time_varying_model(design),
@@ -38,13 +47,29 @@ constexpr std::array kinds{
                   }},
     EstimatorKind{on_board_name,
                   "the nonlinear engine itself as model, from taxi to taxi, with what its build may differ by",
+                  EstimatorBasis::engine,
                   [](const Design& design, const EstimatorOptions& options, const estimation::PointDistance&) {
                     return make_on_board_estimator(design, options);
                   }},
     EstimatorKind{scheduled_name, "point models over the envelope, from a design with a schedule",
+                  EstimatorBasis::schedule,
                   [](const Design& design, const EstimatorOptions& options, const estimation::PointDistance&) {
                     return make_scheduled_estimator(design, options);
-                  }}};
+                  }},
+    EstimatorKind{"ekf", "extended Kalman filter on the engine itself, health as states", EstimatorBasis::engine,
+                  nonlinear<NonlinearKind::extended>},
+    EstimatorKind{"iekf", "the same, iterated within a sample", EstimatorBasis::engine,
+                  nonlinear<NonlinearKind::iterated>},
+    EstimatorKind{"clipped_ekf", "the same, health held within bounds", EstimatorBasis::engine,
+                  nonlinear<NonlinearKind::clipped>},
+    EstimatorKind{"ukf", "unscented Kalman filter on the engine itself", EstimatorBasis::engine,
+                  nonlinear<NonlinearKind::unscented>},
+    EstimatorKind{"particle", "bootstrap particle filter on the engine itself: for comparison only",
+                  EstimatorBasis::engine, nonlinear<NonlinearKind::particle>},
+    EstimatorKind{"ekpf", "extended Kalman particle filter on the engine itself", EstimatorBasis::engine,
+                  nonlinear<NonlinearKind::extended_particle>},
+    EstimatorKind{"cekpf", "the same, health held within bounds", EstimatorBasis::engine,
+                  nonlinear<NonlinearKind::boxed_particle>}};
 
 const EstimatorKind* kind_of(std::string_view name) noexcept {
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const EstimatorKind& k) { return name == k.name; });

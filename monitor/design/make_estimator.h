@@ -21,9 +21,13 @@ inline constexpr const char* tuner_name = "tuner";
 inline constexpr const char* on_board_name = "onboard";
 inline constexpr const char* scheduled_name = "scheduled";
 
+/// What an estimator is made of: the design's own matrices, the engine that it was made of, or its schedule.
+enum class EstimatorBasis { design, engine, schedule };
+
 struct EstimatorKind {
   const char* name;         ///< in configuration, on the wire, in recordings
   const char* description;  ///< for people who choose
+  EstimatorBasis basis;
   std::unique_ptr<estimation::Estimator> (*make)(const Design& design, const monitor::EstimatorOptions& options,
                                                  const estimation::PointDistance& distance);
 };

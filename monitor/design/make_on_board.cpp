@@ -79,6 +79,7 @@ std::shared_ptr<const onboard::OnBoardModel> make_on_board_model(const Design& d
   settings.sample_time_s = design.model.sample_time_s;
   settings.build = settings.soak = options.mismatch != "none";
   settings.inputs = options.mismatch == "all";
+  settings.health_walk_percent = options.health_walk_percent;
   std::vector<double> noise_sigma;
   if (options.noise_of == "trim")
     noise_sigma.assign(design.model.sensor_noise_sigma.begin(), design.model.sensor_noise_sigma.end());

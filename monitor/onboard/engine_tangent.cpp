@@ -8,7 +8,6 @@ namespace ehm::onboard {
 namespace {
 
 namespace sim = engine_sim;
-namespace input = engine_sim::gas_path_input;
 using estimation::AuxiliaryVector;
 using estimation::SensorVector;
 
@@ -17,6 +16,7 @@ using estimation::SensorVector;
 EngineTangent::EngineTangent(std::shared_ptr<const OnBoardModel> model)
     : model_(std::move(model)),
       layout_(*model_),
+      channels_(model_),
       engine_(model_->engine()),
       rates_(Rates::Zero(speed_count, layout_.count())),
       readings_(Readings::Zero(layout_.sensor_count, layout_.count())),
@@ -35,40 +35,11 @@ EngineTangent::EngineTangent(std::shared_ptr<const OnBoardModel> model)
   readings_.rightCols(layout_.sensor_count).setIdentity();
 }
 
-SensorVector EngineTangent::readings_of(const sim::GasPath& gas) const noexcept {
-  const auto& sensors = model_->definition().channels.sensors;
-  SensorVector y(layout_.sensor_count);
-  for (std::size_t i = 0; i < sensors.size(); ++i)
-    y(as_index(i)) = sensors[i].quantity->read(gas, model_->engine().data().ratings);
-  return y;
-}
-
-AuxiliaryVector EngineTangent::outputs_of(const sim::GasPath& gas) const noexcept {
-  const auto& outputs = model_->definition().channels.auxiliary;
-  AuxiliaryVector z(layout_.auxiliary_count);
-  for (std::size_t i = 0; i < outputs.size(); ++i)
-    z(as_index(i)) = outputs[i]->read(gas, model_->engine().data().ratings);
-  return z;
-}
-
-Eigen::Vector2d EngineTangent::rates_of(const sim::GasPath& gas) const noexcept {
-  const sim::SpoolSpeeds& design = model_->engine().data().design.speeds;
-  return {100.0 * gas.n1_dot_rpm_s / design.n1_rpm, 100.0 * gas.n2_dot_rpm_s / design.n2_rpm};
-}
-
 bool EngineTangent::due(const EngineMotion& motion) const noexcept {
   const OnBoardOptions& o = model_->options();
   return age_samples_ < 0 || age_samples_ * o.sample_time_s >= o.refresh_time_s ||
          std::abs(motion.speeds.n1_rpm / renewed_at_.n1_rpm - 1.0) > o.refresh_speed ||
          std::abs(motion.speeds.n2_rpm / renewed_at_.n2_rpm - 1.0) > o.refresh_speed;
-}
-
-bool EngineTangent::answer_in_balance(const sim::Operation& operation, EngineMotion& motion) noexcept {
-  sim::GasPath gas;
-  if (engine_.evaluate(operation, motion.speeds, gas) != sim::GasPathStatus::ok) return false;
-  motion.metal_k = gas.metal_k;
-  gas_ = gas;
-  return true;
 }
 
 bool EngineTangent::answer(const sim::Operation& operation, const EngineMotion& motion) noexcept {
@@ -99,34 +70,23 @@ bool EngineTangent::answer(const sim::Operation& operation, const EngineMotion& 
 }
 
 void EngineTangent::renew(const sim::GasPathJacobian& jacobian) noexcept {
-  const sim::SpoolSpeeds& design = model_->engine().data().design.speeds;
-  const Eigen::Array2d speed_unit(0.01 * design.n1_rpm, 0.01 * design.n2_rpm);  // rpm of one percent
-  const auto& health = model_->definition().channels.health;
-  /// A row of the Jacobian by the unknowns that it knows: speeds and health, percent each.
-  const auto fill = [&](Eigen::Index row, auto&& target, double factor) {
-    for (Eigen::Index k = 0; k < speed_count; ++k)
-      target(k) = factor * jacobian(row, as_index(input::n1) + k) * speed_unit(k);
-    for (std::size_t j = 0; j < health.size(); ++j)
-      target(UnknownLayout::first_health() + as_index(j)) =
-          0.01 * factor * jacobian(row, as_index(input::of(health[j].parameter)));
-  };
-  const auto metal = [&](Eigen::Index row) { return jacobian.row(row).segment<3>(as_index(input::first_metal)); };
+  const auto metal = [&](Eigen::Index row) { return jacobian.row(row).segment<3>(as_index(sim::gas_path_input::first_metal)); };
 
   for (Eigen::Index k = 0; k < 3; ++k) metal_by_metal_.row(k) = metal(speed_count + k);
   for (Eigen::Index k = 0; k < speed_count; ++k) {
-    fill(k, rates_.row(k), 1.0 / speed_unit(k));
-    metal_rates_.row(k) = metal(k) / speed_unit(k);
+    channels_.slopes(jacobian, as_size(k), 1.0 / channels_.speed_unit()(k), rates_.row(k));
+    metal_rates_.row(k) = metal(k) / channels_.speed_unit()(k);
   }
   const SensorVector y = readings_of(gas_);
   for (Eigen::Index i = 0; i < layout_.sensor_count; ++i) {
     const QuantityPlace& at = model_->sensors()[as_size(i)];
     const double factor = 100.0 * at.sign / y(i);
-    fill(as_index(at.place), readings_.row(i), factor);
+    channels_.slopes(jacobian, at.place, factor, readings_.row(i));
     direct_metal_readings_.row(i) = factor * metal(as_index(at.place));
   }
   for (Eigen::Index i = 0; i < layout_.auxiliary_count; ++i) {
     const QuantityPlace& at = model_->auxiliary()[as_size(i)];
-    fill(as_index(at.place), outputs_.row(i), at.sign);
+    channels_.slopes(jacobian, at.place, at.sign, outputs_.row(i));
     direct_metal_outputs_.row(i) = at.sign * metal(as_index(at.place));
   }
 }

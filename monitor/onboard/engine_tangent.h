@@ -21,16 +21,10 @@
 #include <memory>
 
 #include "engine_sim/model/onboard/on_board_engine.h"
-#include "monitor/onboard/unknowns.h"
+#include "monitor/onboard/engine_channels.h"
+#include "monitor/onboard/engine_motion.h"
 
 namespace ehm::onboard {
-
-/// What moves on board, and of what the metal is made: all else is held or estimated as constant.
-struct EngineMotion {
-  engine_sim::SpoolSpeeds speeds;
-  engine_sim::MetalTemperatures metal_k{};
-  double conductance = 1.0, capacity = 1.0;  ///< 1 + a, 1 + b: over the engine file's
-};
 
 class EngineTangent {
  public:
@@ -51,8 +45,6 @@ class EngineTangent {
   }
   /// The metal goes on for dt_s from the last answer.
   void advance_metal(double dt_s, EngineMotion& motion) noexcept;
-  /// The engine in this motion under this operation, its metal in balance with the gas. False: it has no answer.
-  bool answer_in_balance(const engine_sim::Operation& operation, EngineMotion& motion) noexcept;
   /// The engine in this motion under this operation. False: it has no answer, and what was, stands.
   bool answer(const engine_sim::Operation& operation, const EngineMotion& motion) noexcept;
 
@@ -70,9 +62,15 @@ class EngineTangent {
   const estimation::AuxiliaryVector& path_output_variance() const noexcept { return path_output_variance_; }
 
   /// Predicted readings and outputs in channel units, and the spools' rates in percent/s, of a gas path.
-  estimation::SensorVector readings_of(const engine_sim::GasPath& gas) const noexcept;
-  estimation::AuxiliaryVector outputs_of(const engine_sim::GasPath& gas) const noexcept;
-  Eigen::Vector2d rates_of(const engine_sim::GasPath& gas) const noexcept;
+  estimation::SensorVector readings_of(const engine_sim::GasPath& gas) const noexcept {
+    return channels_.readings(gas);
+  }
+  estimation::AuxiliaryVector outputs_of(const engine_sim::GasPath& gas) const noexcept {
+    return channels_.outputs(gas);
+  }
+  Eigen::Vector2d rates_of(const engine_sim::GasPath& gas) const noexcept { return channels_.rates(gas); }
+  /// Of which the answers come: where a start looks for its speeds.
+  engine_sim::OnBoardEngine& engine() noexcept { return engine_; }
   /// d(dN/dt)/dN, 1/s.
   Eigen::Matrix2d speed_rates() const noexcept { return rates_.leftCols<speed_count>(); }
 
@@ -88,6 +86,7 @@ class EngineTangent {
 
   std::shared_ptr<const OnBoardModel> model_;
   UnknownLayout layout_;
+  EngineChannels channels_;
   engine_sim::OnBoardEngine engine_;
   engine_sim::GasPath gas_{};
   Rates rates_;

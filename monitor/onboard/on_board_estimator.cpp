@@ -182,7 +182,7 @@ bool OnBoardEstimator::start(const SensorVector& y, const sim::Operation& operat
     measured[static_cast<std::size_t>(k)] = known ? y(sensor) : std::numeric_limits<double>::quiet_NaN();
     variance(k) = square(known ? measured_speed_sigma : unmeasured_speed_sigma);
   }
-  const auto motion = start_motion(*model_, operation, measured, tangent_);
+  const auto motion = start_motion(*model_, operation, measured, tangent_.engine());
   if (!motion) return false;
   const auto metal_k = motion_.metal_k;
   motion_ = *motion;

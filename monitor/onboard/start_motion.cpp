@@ -36,7 +36,7 @@ std::array<double, speed_count> shares(const OnBoardModel& model, const sim::Ope
 
 std::optional<EngineMotion> start_motion(const OnBoardModel& model, const sim::Operation& operation,
                                          const std::array<double, speed_count>& measured_rpm,
-                                         EngineTangent& tangent) noexcept {
+                                         sim::OnBoardEngine& engine) noexcept {
   constexpr double dt_s = 0.05, at_rest_percent_s = 1e-3;
   constexpr int longest = 400;
   if (!sim::covers(operation.flight)) return std::nullopt;
@@ -49,15 +49,18 @@ std::optional<EngineMotion> start_motion(const OnBoardModel& model, const sim::O
   motion.speeds = {share[0] * design.speeds.n1_rpm * root_theta / root_design,
                    share[1] * design.speeds.n2_rpm * root_theta / root_design};
   const bool free_n1 = !std::isfinite(measured_rpm[0]), free_n2 = !std::isfinite(measured_rpm[1]);
-  if (!tangent.answer_in_balance(operation, motion)) return std::nullopt;
+  sim::GasPath gas;
+  if (engine.evaluate(operation, motion.speeds, gas) != sim::GasPathStatus::ok) return std::nullopt;
   for (int k = 0; k < longest && (free_n1 || free_n2); ++k) {
-    const Eigen::Vector2d rate = tangent.rates_of(tangent.gas());
-    if (free_n1) motion.speeds.n1_rpm += dt_s * tangent.gas().n1_dot_rpm_s;
-    if (free_n2) motion.speeds.n2_rpm += dt_s * tangent.gas().n2_dot_rpm_s;
-    if (!tangent.answer_in_balance(operation, motion)) return std::nullopt;
-    if ((!free_n1 || std::abs(rate(0)) < at_rest_percent_s) && (!free_n2 || std::abs(rate(1)) < at_rest_percent_s))
+    const double n1_rate = 100.0 * gas.n1_dot_rpm_s / design.speeds.n1_rpm,
+                 n2_rate = 100.0 * gas.n2_dot_rpm_s / design.speeds.n2_rpm;
+    if (free_n1) motion.speeds.n1_rpm += dt_s * gas.n1_dot_rpm_s;
+    if (free_n2) motion.speeds.n2_rpm += dt_s * gas.n2_dot_rpm_s;
+    if (engine.evaluate(operation, motion.speeds, gas) != sim::GasPathStatus::ok) return std::nullopt;
+    if ((!free_n1 || std::abs(n1_rate) < at_rest_percent_s) && (!free_n2 || std::abs(n2_rate) < at_rest_percent_s))
       break;
   }
+  motion.metal_k = gas.metal_k;
   return motion;
 }
 

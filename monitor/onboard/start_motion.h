@@ -9,12 +9,14 @@
 #include <array>
 #include <optional>
 
-#include "monitor/onboard/engine_tangent.h"
+#include "engine_sim/model/onboard/on_board_engine.h"
+#include "monitor/onboard/engine_motion.h"
+#include "monitor/onboard/unknowns.h"
 
 namespace ehm::onboard {
 
 std::optional<EngineMotion> start_motion(const OnBoardModel& model, const engine_sim::Operation& operation,
                                          const std::array<double, speed_count>& measured_rpm,
-                                         EngineTangent& tangent) noexcept;
+                                         engine_sim::OnBoardEngine& engine) noexcept;
 
 }  // namespace ehm::onboard

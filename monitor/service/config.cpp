@@ -108,6 +108,26 @@ void declare_estimators(Schema& schema, EstimatorOptions& o) {
                 "of onboard: whether noise is the engine file's percent of the present reading, or the design's sigma");
 }
 
+void declare_nonlinear(Schema& schema, EstimatorOptions& o) {
+  schema.real("estimator.health_walk_percent", o.health_walk_percent, 1e-8, 1, "%",
+              "of onboard and the nonlinear filters: what a health parameter may change by within 15 ms, standard "
+              "deviation; more of it follows faster, knows less, and keeps particles apart");
+  schema.integer("estimator.iterations", o.iterations, 1, 20, "", "of iekf: within a sample, at most");
+  schema.real("estimator.box_sigma", o.box_sigma, 0.1, 15, "sigma of the prior",
+              "of clipped_ekf and cekpf: health parameters are held within so much");
+  schema.choice("estimator.sigma_points", o.sigma_points, {"symmetric", "spherical_simplex", "minimal_skew"},
+                "of ukf: 2 n + 1 points, or a simplex of n + 2");
+  schema.choice("estimator.unscented_form", o.unscented_form, {"additive", "augmented"},
+                "of ukf: process noise added, or among the sigma points");
+  schema.integer("estimator.particles", o.particles, 2, 5000, "", "of particle, ekpf and cekpf");
+  schema.choice(
+      "estimator.particle_weights", o.particle_weights, {"likelihood", "ratio"},
+      "of ekpf and cekpf: particles weighed by their likelihood alone, which keeps many alive, or by the ratio "
+      "of densities, which is Bayes' rule and needs health_walk_percent not far below the sigma");
+  schema.choice("estimator.particle_jacobian", o.particle_jacobian, {"shared", "own"},
+                "of ekpf and cekpf: one Jacobian for all particles, or one for each");
+}
+
 void declare_recording(Schema& schema, MonitorConfig& m) {
   schema.text(
       "record.file", m.record.file,
@@ -241,6 +261,7 @@ void declare(Schema& schema, MonitorConfig& m) {
   declare_cycle(schema, m.cycle);
   declare_fleet(schema, m.cycle.fleet);
   declare_estimators(schema, m.cycle.estimator);
+  declare_nonlinear(schema, m.cycle.estimator);
   declare_realtime(schema, m.realtime);
   declare_recording(schema, m);
   declare_checkpoint(schema, m);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time of the on-board estimator, and with a design of tuner_design envelope of the scheduled one, for one sample
 // (predict, innovate, update), over taxi, take-off and the first part of the climb of a perturbed engine at 15 ms,
-// beside the simulator's own step for the same sample.
+// beside the simulator's own step for the same sample; and of the nonlinear filters on the same engine.
 // Usage: on_board_estimator_bench [REPETITIONS [DESIGN]]     (default 5)
 // Prints median, 99 % and 99.9 % over the samples in microseconds, of each sample the least over the repetitions, which
 // do the same work to the bit, so that what the operating system interposed is left out.
@@ -18,6 +18,7 @@
 #include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/simulation.h"
 #include "monitor/design/design_file.h"
+#include "monitor/design/make_nonlinear.h"
 #include "monitor/design/make_scheduled.h"
 #include "monitor/onboard/on_board_estimator.h"
 #include "tests/bench/percentiles.h"
@@ -78,32 +79,58 @@ std::size_t measure_all(const estimation::Estimator& prototype, const std::vecto
   return unanswered;
 }
 
+struct Measured {
+  const char* what;
+  std::unique_ptr<estimation::Estimator> estimator;
+  std::vector<double> us;
+};
+
+std::vector<Measured> estimators_of(const std::shared_ptr<const engine_sim::EngineDefinition>& engine,
+                                    const std::string& design_file) {
+  using design::NonlinearKind;
+  onboard::OnBoardOptions as_filed;
+  as_filed.build = as_filed.soak = as_filed.inputs = false;
+  const auto model = std::make_shared<const onboard::OnBoardModel>(engine, as_filed);
+  const auto nonlinear = [&](NonlinearKind kind) { return design::make_nonlinear_estimator(kind, model, {}); };
+  std::vector<Measured> all;
+  all.push_back({"the on-board estimator, asked 40 us",
+                 std::make_unique<onboard::OnBoardEstimator>(
+                     std::make_shared<const onboard::OnBoardModel>(engine, onboard::OnBoardOptions{})),
+                 {}});
+  if (!design_file.empty())
+    all.push_back({"the scheduled estimator, asked 5 us",
+                   design::make_scheduled_estimator(design::read_design(design_file), {}),
+                   {}});
+  all.push_back({"ekf, asked 40 us", nonlinear(NonlinearKind::extended), {}});
+  all.push_back({"iekf, asked 80 us", nonlinear(NonlinearKind::iterated), {}});
+  all.push_back({"ukf, asked 350 us", nonlinear(NonlinearKind::unscented), {}});
+  all.push_back({"particle, N = 50", nonlinear(NonlinearKind::particle), {}});
+  all.push_back({"cekpf, N = 50", nonlinear(NonlinearKind::boxed_particle), {}});
+  return all;
+}
+
 int run(int repetitions, const std::string& design_file) {
   const auto engine = flown_engine(*engine_sim::default_engine(), step_s);
-  const auto model = std::make_shared<const onboard::OnBoardModel>(engine, onboard::OnBoardOptions{});
   MissionDraw draw;
   draw.mismatch = {true, true, true};
   const auto n = static_cast<std::size_t>(flown_s / step_s);
   const double never = std::numeric_limits<double>::infinity();
-  std::vector<double> simulator_us(n, never), estimator_us(n, never), scheduled_us(n, never);
-  const onboard::OnBoardEstimator on_board(model);
-  const auto scheduled =
-      design_file.empty() ? nullptr : design::make_scheduled_estimator(design::read_design(design_file), {});
+  std::vector<double> simulator_us(n, never);
+  std::vector<Measured> measured = estimators_of(engine, design_file);
+  for (Measured& m : measured) m.us.assign(n, never);
   std::vector<Sampled> flight(n);
   std::size_t unanswered = 0;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     engine_sim::Simulation simulation(mission_scenario(engine, step_s, draw, 0));
     for (std::size_t k = 0; k < n; ++k)
       measure(simulator_us[k], [&] { flight[k] = sampled(simulation.next_sample()); });
-    unanswered += measure_all(on_board, flight, estimator_us);
-    if (scheduled) unanswered += measure_all(*scheduled, flight, scheduled_us);
+    for (Measured& m : measured) unanswered += measure_all(*m.estimator, flight, m.us);
   }
   std::vector<double> reference = simulator_us;
   const double reference_us = percentile(reference, 0.5);
   std::printf("%-40s %8s %8s %8s %8s\n", "", "us", "99 %", "99.9 %", "ratio");
   print("the simulator's step", simulator_us, reference_us);
-  print("the on-board estimator, asked 40 us", estimator_us, reference_us);
-  if (scheduled) print("the scheduled estimator, asked 5 us", scheduled_us, reference_us);
+  for (const Measured& m : measured) print(m.what, m.us, reference_us);
   if (unanswered > 0) std::printf("%zu samples without an answer\n", unanswered);
   return unanswered > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -12,6 +12,7 @@
 #include "tuner_design/cli/fault_study_command.h"
 #include "tuner_design/cli/flight_study_command.h"
 #include "tuner_design/cli/import_options.h"
+#include "tuner_design/cli/lu_study_command.h"
 #include "tuner_design/linearise/linearise.h"
 #include "tuner_design/print/check_text.h"
 #include "tuner_design/print/robust_study_text.h"
@@ -29,6 +30,7 @@ struct Arguments {
   FaultStudyArguments faults;
   FlightStudyArguments flight;
   RobustStudyOptions robust;
+  LuOptions lu;
   EngineOption engine;
   OutputOptions output;
 };
@@ -103,6 +105,12 @@ void run_study(Arguments arguments, const Console& console) {
                         {arguments.engine.engine(), arguments.options.seed, arguments.options.threads},
                         arguments.output, console);
   }
+  if (arguments.study.starts_with("lu-")) {
+    arguments.lu.engine = arguments.engine.engine();
+    arguments.lu.seed = arguments.options.seed;
+    arguments.lu.threads = arguments.options.threads;
+    return lu_study(arguments.study, arguments.lu, arguments.csv, arguments.output, console);
+  }
   if (arguments.study == "faults")
     return fault_study_of_file(arguments.faults, arguments.csv, arguments.output, console);
   if (arguments.study == "false-alarms")
@@ -135,13 +143,15 @@ void add_study_command(CLI::App& app, Action& run) {
                                          "estimates over whole flights; whether every engine starts; "
                                          "the EGT margin over its life; "
                                          "the tuner filter at points from approach to take-off; "
-                                         "or what a robust gain buys");
+                                         "what a robust gain buys; "
+                                         "or tables 4 to 9 of Lu, Huang & Lv on particle filters");
   command
       ->add_option("study", arguments->study,
-                   "Which table, faults, false-alarms, flight, starts, margin, points, or robust")
+                   "Which table, faults, false-alarms, flight, starts, margin, points, robust, or lu-4 to lu-9")
       ->required()
       ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms",
-                             "flight", "starts", "margin", "points", "robust"}));
+                             "flight", "starts", "margin", "points", "robust", "lu-4", "lu-5", "lu-6", "lu-7", "lu-8",
+                             "lu-9"}));
   CLI::Option* model =
       command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
           ->type_name("MODEL");
@@ -152,7 +162,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->capture_default_str()
       ->excludes(model);
   add_engine_option(*command, arguments->engine,
-                    "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points");
+                    "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points, lu");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
@@ -162,6 +172,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->capture_default_str();
   add_fault_study_options(*command, arguments->faults);
   add_flight_study_options(*command, arguments->flight);
+  add_lu_study_options(*command, arguments->lu);
   command
       ->add_option("--nominal-loss", arguments->robust.nominal_loss,
                    "robust: what the gain may cost where nothing is wrong, share of the mean error")

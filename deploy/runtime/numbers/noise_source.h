@@ -23,10 +23,10 @@ class NoiseSource {
     return std::sqrt(-2.0 * std::log(u1)) * std::cos(2.0 * std::numbers::pi * u2);
   }
 
- private:
-  /// 53 random bits, shifted off zero.
+  /// Uniform in (0, 1]: 53 random bits, shifted off zero.
   double uniform() { return (static_cast<double>(generator_() >> 11) + 1.0) * 0x1.0p-53; }
 
+ private:
   std::mt19937_64 generator_;
 };
 
