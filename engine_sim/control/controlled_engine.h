@@ -25,6 +25,8 @@ class ControlledEngine {
 
   /// The sample of now, and on to the next one.
   ControlledSample step(const Surroundings& surroundings, double n1_demand_rpm, double dt_s);
+  /// Adds what no control and no equation brings to the speeds of the next sample.
+  void disturb(const SpoolSpeeds& change_rpm) { transient_.disturb(change_rpm); }
   SpoolSpeeds speeds() const { return transient_.speeds(); }
 
  private:

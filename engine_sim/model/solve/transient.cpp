@@ -34,6 +34,12 @@ void Transient::step(const Operation& operation, double dt_s) {
   present_.reset();
 }
 
+void Transient::disturb(const SpoolSpeeds& change_rpm) {
+  state_.speeds.n1_rpm += change_rpm.n1_rpm;
+  state_.speeds.n2_rpm += change_rpm.n2_rpm;
+  present_.reset();
+}
+
 Transient::State Transient::moved(const State& from, const GasPath& rates, double dt_s) {
   State to = from;
   to.speeds.n1_rpm += dt_s * rates.n1_dot_rpm_s;

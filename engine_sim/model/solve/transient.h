@@ -27,6 +27,8 @@ class Transient {
   const GasPath& output(const Operation& operation);
   /// Advances the state by dt_s. Real-time safe: yes, unless it throws.
   void step(const Operation& operation, double dt_s);
+  /// Adds what does not come from the engine's own equations to the speeds. Real-time safe: yes.
+  void disturb(const SpoolSpeeds& change_rpm);
   SpoolSpeeds speeds() const { return state_.speeds; }
   /// Of the metal; constant without heat soak.
   const MetalTemperatures& metal_k() const { return state_.metal_k; }
