@@ -39,7 +39,8 @@ ControlledEngine started(const Turbofan& turbofan, const Scenario& scenario, con
                          double n1_rpm) {
   try {
     return {turbofan, scenario.control, settled(turbofan, scenario.control, surroundings, n1_rpm),
-            scenario.heat_soak ? HeatSoak::with : HeatSoak::without};
+            scenario.heat_soak ? HeatSoak::with : HeatSoak::without,
+            scenario.process_noise.on() ? Motion::restless : Motion::smooth};
   } catch (const std::exception& e) {
     std::ostringstream text;
     text << describe(surroundings.flight, "n1_rpm") << " = " << n1_rpm

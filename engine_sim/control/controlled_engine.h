@@ -21,7 +21,7 @@ class ControlledEngine {
  public:
   /// `start` has vanes and valves on their schedules, see scheduled_point.h.
   ControlledEngine(const Turbofan& engine, const ControlData& data, const SteadyPoint& start,
-                   HeatSoak heat_soak = HeatSoak::without);
+                   HeatSoak heat_soak = HeatSoak::without, Motion motion = Motion::smooth);
 
   /// The sample of now, and on to the next one.
   ControlledSample step(const Surroundings& surroundings, double n1_demand_rpm, double dt_s);

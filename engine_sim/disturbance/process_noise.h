@@ -4,6 +4,7 @@
 // (speed_noise.h), drawn anew for each sample. Both are given per sample, as a linear model's process_noise is: with
 // another sample time the same motion has another sigma. Errors: none.
 
+#include <algorithm>
 #include <vector>
 
 #include "deploy/runtime/numbers/noise_distribution.h"
@@ -16,7 +17,12 @@ struct ProcessNoise {
   bool accumulate = false;             ///< of health: a random walk instead of white noise
   double speed_sigma_percent = 0.0;    ///< of one sample, of the present speed
 
-  bool on() const { return distribution != NoiseDistribution::none; }
+  /// Whether anything is moved.
+  bool on() const {
+    const auto moves = [](double sigma) { return sigma > 0.0; };
+    return distribution != NoiseDistribution::none &&
+           (moves(speed_sigma_percent) || std::any_of(health_sigma.begin(), health_sigma.end(), moves));
+  }
 };
 
 }  // namespace ehm::engine_sim

@@ -8,7 +8,7 @@ namespace ehm::engine_sim {
 
 namespace {
 
-constexpr double most_speed_sigma_percent = 0.5;
+constexpr double most_speed_sigma_percent = 0.1;
 
 NoiseDistribution distribution_of(std::string_view name) {
   const auto found = std::find(noise_distribution_names.begin(), noise_distribution_names.end(), name);

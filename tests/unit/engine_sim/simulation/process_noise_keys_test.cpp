@@ -77,7 +77,7 @@ TEST_F(ProcessNoiseKeysTest, EveryMistakeIsOneMessageWithItsRemedy) {
                        "rayleigh, rayleigh_shifted"));
   EXPECT_THAT(error(on + "health_sigma = 0.05\n"),
               EndsWith("'process_noise.health_sigma' is 0.05, allowed is a number from 0 to 0.01 fraction"));
-  EXPECT_THAT(error(on + "speed_sigma_percent = -1\n"), HasSubstr("allowed is a number from 0 to 0.5 percent"));
+  EXPECT_THAT(error(on + "speed_sigma_percent = -1\n"), HasSubstr("allowed is a number from 0 to 0.1 percent"));
   EXPECT_THAT(error(on + "helth_sigma = 1e-3\n"), HasSubstr("did you mean 'process_noise.health_sigma'?"));
   EXPECT_THAT(error(on), HasSubstr("'process_noise.distribution' is 'gaussian', but no size is given"));
   EXPECT_EQ(
