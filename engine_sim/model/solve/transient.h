@@ -4,8 +4,8 @@
 //   Heun (second order): y* = y + dt f(y),  y <- y + dt/2 (f(y) + f(y*)),  operation held over the step
 // States y: N1, N2 in rpm; with heat soak also the three metal temperatures of heat_soak.h in K, which start in balance
 // with the gas (no heat flows). dt in s. The volumes of the gas path are quasi-steady: they fill in milliseconds.
-// Each balance starts from where the changes of the last steps lead (unknowns_trend.h); in a restless flight, where noise
-// is drawn at each step and three changes lead astray, from the last solution.
+// Each balance starts from where the changes of the last steps lead (unknowns_trend.h); in a restless flight, where
+// noise is drawn at each step and so the last changes lead astray, from the last solution.
 // Errors: those of Turbofan::gas_path; @throws std::invalid_argument if dt_s is not within 0 to 0.1 s.
 // Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.1 (Heun's second-order method).
 

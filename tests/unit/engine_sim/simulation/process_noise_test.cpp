@@ -56,8 +56,8 @@ std::vector<double> deviates(NoiseDistribution shape, std::uint64_t seed, int co
 }
 
 // Closed forms of the Rayleigh distribution: mean sqrt(pi/2) and variance 2 - pi/2 of its parameter 1, skewness 0.6311,
-// kurtosis 3.245. Tolerances are five standard errors of 200 000 deviates: 1/sqrt(n) of the mean, sqrt((kurtosis - 1)/(4
-// n)) of sigma, some sqrt(9/n) of the skewness.
+// kurtosis 3.245. Tolerances are five standard errors of 200 000 deviates: 1/sqrt(n) of the mean,
+// sqrt((kurtosis - 1)/(4 n)) of sigma, some sqrt(9/n) of the skewness.
 TEST(NoiseDistribution, HasTheMomentsOfItsClosedForm) {
   constexpr int n = 200'000;
   const double error = 5.0 / std::sqrt(n);
@@ -208,9 +208,9 @@ TEST(ProcessNoise, OfSigmaZeroIsOffToTheBit) {
   EXPECT_EQ(readings_of(noisy({}, none, 5e-4, 0.01), 100), off);
 }
 
-// Balances of a flow path that is moved at random: where they were guessed from their trend, they did not close at
-// sigmas of 5e-3 and more. The mean of unshifted Rayleigh noise of the speeds drives an idling engine beyond its control:
-// 1.9 sigma a sample, 13 % a second.
+// Balances of a gas path that is moved at random: where they were guessed from their trend, they did not close at
+// sigmas of 5e-3 and more. The mean of unshifted Rayleigh noise of the speeds drives an idling engine beyond its
+// control: 1.9 sigma a sample, 13 % a second.
 TEST(ProcessNoise, AtTheLargestSigmasThatAScenarioMayHaveTheEngineFlies) {
   for (const double n1_rpm : {1000.0, 3700.0})
     for (const NoiseDistribution shape : shapes) {
@@ -281,8 +281,8 @@ TEST(ProcessNoise, TheTruthHasTheStatedMoments) {
   }
 }
 
-// The readings of the first sample are those without noise; on those of the second the first increment of the speeds has
-// been added.
+// The readings of the first sample are those without noise; on those of the second the first increment of the speeds
+// has been added.
 TEST(ProcessNoise, OfTheSpeedsIsAddedBetweenTwoSamples) {
   Simulation off(quiet()), on(noisy(quiet(), gaussian, 0.0, 0.05));
   const SimSample first = off.next(), noisy_first = on.next(), second = off.next(), noisy_second = on.next();
