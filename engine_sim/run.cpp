@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 
+#include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/service/notify.h"
 #include "deploy/runtime/service/watchdog.h"
 #include "engine_sim/dds/command_desk.h"
@@ -119,6 +120,9 @@ void run(const SimConfig& config, SimulatedEngine& engine, const service::StopSi
   link.wait(config.wait_for_monitors, stop, turns);
 
   spdlog::info("engine {} {}", engine_id, engine.start_text());
+  if (scenario.process_noise.on())
+    spdlog::info("engine {} has {} process noise", engine_id,
+                 noise_distribution_names[as_size(scenario.process_noise.distribution)]);
   const SourceClock clock(rate == 1.0, sample_time_s);
   Pacer pacer(rate > 0.0 ? sample_time_s / rate : sample_time_s);
   std::uint64_t sent = 0, refused = 0;

@@ -60,6 +60,7 @@ class SimulatedEngine {
   virtual void fly(const FlightCondition& flight) = 0;
   /// In which an order may move this health parameter, in its unit.
   virtual HealthRange health_range(std::size_t parameter) const = 0;
+  /// What an order moves it from: without process noise that is gone with its sample.
   virtual double health_of(std::size_t parameter) const = 0;
   virtual bool can_wear(std::size_t parameter, double target, double ramp_s) const = 0;
   virtual void order_health(std::size_t parameter, double target, double ramp_s) = 0;

@@ -39,7 +39,8 @@ ControlledEngine started(const Turbofan& turbofan, const Scenario& scenario, con
                          double n1_rpm) {
   try {
     return {turbofan, scenario.control, settled(turbofan, scenario.control, surroundings, n1_rpm),
-            scenario.heat_soak ? HeatSoak::with : HeatSoak::without};
+            scenario.heat_soak ? HeatSoak::with : HeatSoak::without,
+            scenario.process_noise.on() ? Motion::restless : Motion::smooth};
   } catch (const std::exception& e) {
     std::ostringstream text;
     text << describe(surroundings.flight, "n1_rpm") << " = " << n1_rpm
@@ -48,10 +49,16 @@ ControlledEngine started(const Turbofan& turbofan, const Scenario& scenario, con
   }
 }
 
-HealthVector health_at(const Deterioration& deterioration, double time_s) {
+/// `of(i)` of each parameter.
+template <class Of>
+HealthVector health_by(Of of) {
   HealthVector health;
-  for (std::size_t i = 0; i < health_count; ++i) health[i] = deterioration.at(time_s, i);
+  for (std::size_t i = 0; i < health_count; ++i) health[i] = of(i);
   return health;
+}
+
+HealthVector lasting_health(const FlownHealth& flown, double time_s) {
+  return health_by([&](std::size_t i) { return flown.lasting(time_s, i); });
 }
 
 }  // namespace
@@ -65,10 +72,11 @@ Simulation::Simulation(const Scenario& scenario)
                 .demand = {DemandKind::n1_rpm, nominal_.gas.speeds.n1_rpm},
                 .offtake = scenario.offtake},
                scenario.profile),
-      deterioration_(scenario),
+      flown_health_(scenario),
+      speed_noise_(scenario.process_noise, static_cast<std::uint64_t>(scenario.seed)),
       fan_speed_(filed_, scenario.control),
       engine_(started(flown_, scenario,
-                      {profile_.at(0.0).flight, health_at(deterioration_, 0.0), profile_.at(0.0).offtake},
+                      {profile_.at(0.0).flight, lasting_health(flown_health_, 0.0), profile_.at(0.0).offtake},
                       fan_speed_.n1_rpm(profile_.at(0.0).demand, profile_.at(0.0).flight))),
       sensors_(scenario.engine->channels.sensors, scenario.sensors, true_sensors(*scenario.engine, nominal_.gas),
                static_cast<std::uint64_t>(scenario.seed)),
@@ -80,7 +88,8 @@ SimSample Simulation::next() {
   sample.sequence = sequence_;
   sample.time_s = time_s();
   const ProfilePoint now = profile_.at(sample.time_s);
-  sample.health = health_at(deterioration_, sample.time_s);
+  flown_health_.next_sample();
+  sample.health = health_by([&](std::size_t i) { return flown_health_.acting(sample.time_s, i); });
   for (const auto& [sensor, fault] : pending_faults_.due(sample.time_s)) inject(sensor, fault);
 
   const ControlledSample flown = step(now, sample.health);
@@ -105,11 +114,14 @@ Operation Simulation::reported(const ProfilePoint& now, const ControlledSample& 
 ControlledSample Simulation::step(const ProfilePoint& now, const HealthVector& health) {
   const double n1_rpm = fan_speed_.n1_rpm(now.demand, now.flight);
   try {
-    return engine_.step({now.flight, health, now.offtake}, n1_rpm, scenario_.sample_time_s);
+    const ControlledSample sample = engine_.step({now.flight, health, now.offtake}, n1_rpm, scenario_.sample_time_s);
+    engine_.disturb(speed_noise_.next(engine_.speeds()));
+    return sample;
   } catch (const std::exception& e) {
     std::ostringstream text;
     text << "after " << time_s() << " s, " << describe(now.flight, "n1_rpm") << " = " << n1_rpm
-         << "; change the profile, wear or command more gently: " << e.what();
+         << "; change the profile, wear or command more gently"
+         << (scenario_.process_noise.on() ? ", or lessen the process noise: " : ": ") << e.what();
     throw FlightError(text.str());
   }
 }
@@ -135,11 +147,11 @@ bool Simulation::survives(double seconds, Flight flight, Health health_at) const
 }
 
 bool Simulation::can_fly(const FlightCondition& flight) const {
-  return survives(1.0, flight, [now = health_at(deterioration_, time_s())](double) { return now; });
+  return survives(1.0, flight, [now = lasting_health(flown_health_, time_s())](double) { return now; });
 }
 
 bool Simulation::can_wear(std::size_t parameter, double target, double ramp_s) const {
-  const HealthVector now = health_at(deterioration_, time_s());
+  const HealthVector now = lasting_health(flown_health_, time_s());
   const Health worn = health(parameter);
   const double trial_ramp_s = std::min(ramp_s, 1.0);
   return survives(3.0, profile_.at(time_s()).flight, [&](double flown_s) {

@@ -16,9 +16,10 @@
 
 #include "engine_sim/control/controlled_engine.h"
 #include "engine_sim/control/fan_speed_demand.h"
-#include "engine_sim/scenario/deterioration.h"
+#include "engine_sim/disturbance/speed_noise.h"
 #include "engine_sim/scenario/fault_schedule.h"
 #include "engine_sim/scenario/flight_profile.h"
+#include "engine_sim/scenario/flown_health.h"
 #include "engine_sim/simulated_engine.h"
 
 namespace ehm::engine_sim {
@@ -30,7 +31,7 @@ struct SimSample {
   Actuation actuation;            ///< as it is; the fuel meter's word is in `inputs`
   Operation inputs;               ///< as reported: fuel flow, vanes off their schedule, off-take
   std::vector<Reading> readings;  ///< in the order of the engine's channels
-  HealthVector health{};
+  HealthVector health{};          ///< as it acts, process noise and all
   std::vector<double> auxiliary;
 };
 
@@ -61,11 +62,11 @@ class Simulation : public SimulatedEngine {
   void fly(const FlightCondition& flight) override { profile_.override_flight(flight); }
   /// Moves a health parameter to `target` within ramp_s, from now on.
   void order_health(std::size_t parameter, double target, double ramp_s) override {
-    deterioration_.order(health(parameter), target, ramp_s, time_s());
+    flown_health_.order(health(parameter), target, ramp_s, time_s());
   }
   double most_net_thrust_n() const override;
   HealthRange health_range(std::size_t) const override { return {health_min, health_max}; }
-  double health_of(std::size_t parameter) const override { return deterioration_.at(time_s(), health(parameter)); }
+  double health_of(std::size_t parameter) const override { return flown_health_.lasting(time_s(), health(parameter)); }
   /// Does the engine go on running for a second, if the flight condition jumps there now?
   bool can_fly(const FlightCondition& flight) const override;
   /// Does it go on running for three seconds, if a health parameter moves there within ramp_s (a second at most here)?
@@ -86,7 +87,8 @@ class Simulation : public SimulatedEngine {
   Turbofan flown_;  ///< as built
   SteadyPoint nominal_;
   FlightProfile profile_;
-  Deterioration deterioration_;
+  FlownHealth flown_health_;
+  SpeedNoise speed_noise_;
   FanSpeedDemand fan_speed_;
   ControlledEngine engine_;
   SensorSuite sensors_;

@@ -18,10 +18,10 @@ Measurements at(Measurements measured, const SpoolSpeeds& speeds, const Intake& 
 }  // namespace
 
 ControlledEngine::ControlledEngine(const Turbofan& engine, const ControlData& data, const SteadyPoint& start,
-                                   HeatSoak heat_soak)
+                                   HeatSoak heat_soak, Motion motion)
     : engine_(engine),
       control_(data, measure(start.gas, on_ground(start.operation.flight)), start.operation.fuel_flow_kg_s),
-      transient_(engine, start, heat_soak),
+      transient_(engine, start, heat_soak, motion),
       measured_(measure(start.gas, on_ground(start.operation.flight))) {}
 
 ControlledSample ControlledEngine::step(const Surroundings& surroundings, double n1_demand_rpm, double dt_s) {

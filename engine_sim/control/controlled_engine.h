@@ -21,10 +21,12 @@ class ControlledEngine {
  public:
   /// `start` has vanes and valves on their schedules, see scheduled_point.h.
   ControlledEngine(const Turbofan& engine, const ControlData& data, const SteadyPoint& start,
-                   HeatSoak heat_soak = HeatSoak::without);
+                   HeatSoak heat_soak = HeatSoak::without, Motion motion = Motion::smooth);
 
   /// The sample of now, and on to the next one.
   ControlledSample step(const Surroundings& surroundings, double n1_demand_rpm, double dt_s);
+  /// Adds what no control and no equation brings to the speeds of the next sample.
+  void disturb(const SpoolSpeeds& change_rpm) { transient_.disturb(change_rpm); }
   SpoolSpeeds speeds() const { return transient_.speeds(); }
 
  private:

@@ -52,7 +52,7 @@ std::vector<double> absolute(const std::vector<EngineChannel>& channels, const V
 LinearEngine::LinearEngine(const LinearModel& model, const Scenario& scenario)
     : model_(model),
       channels_(channels_of(model)),
-      deterioration_(scenario),
+      flown_health_(scenario),
       control_changes_(scenario.control_changes),
       pending_faults_(scenario.faults),
       sensors_(sensors_of(model)),
@@ -73,7 +73,8 @@ std::string LinearEngine::start_text() const {
 
 VectorXd LinearEngine::health_deviation() const {
   VectorXd h(as_index(channels_.health.size()));
-  for (std::size_t i = 0; i < channels_.health.size(); ++i) h(as_index(i)) = health_of(i) - channels_.health[i].trim;
+  for (std::size_t i = 0; i < channels_.health.size(); ++i)
+    h(as_index(i)) = flown_health_.acting(time_s(), i) - channels_.health[i].trim;
   return h;
 }
 
@@ -100,6 +101,7 @@ std::vector<Reading> LinearEngine::read(const VectorXd& y) {
 
 EngineSample LinearEngine::next_sample() {
   for (const auto& [sensor, fault] : pending_faults_.due(time_s())) inject(sensor, fault);
+  flown_health_.next_sample();
   const VectorXd h = health_deviation(), u = control_deviation();
   EngineSample sample;
   sample.sequence = sequence_;

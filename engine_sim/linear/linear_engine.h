@@ -7,9 +7,10 @@
 //   z[k]   = F x[k] + G u[k] + N h[k]
 //
 // Shapes and units: engine_sim/linear_model/linear_model.h; x, y, z, u and h are deviations from trim. h is wear as the
-// scenario and orders have it, u the planned changes of the controls, which else stay at their trims. The first sample
-// is in balance, x = (I - A)^-1 (B u + L h), about which the process noise has moved the engine for long: the motion is
-// stationary from there on. The model's linearisation_error is not flown: this engine is linear.
+// scenario and orders have it, with noise where the scenario says so (scenario/flown_health.h), u the planned changes
+// of the controls, which else stay at their trims. The first sample is in balance, x = (I - A)^-1 (B u + L h) with the
+// wear alone, about which w has moved the engine for long: that motion is stationary from there on.
+// The model's linearisation_error is not flown: this engine is linear.
 //
 // Noise is drawn in the same order in every sample, so that the same seed gives the same flight, and a fault changes
 // nothing but its own sensor.
@@ -19,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include "engine_sim/scenario/deterioration.h"
 #include "engine_sim/scenario/fault_schedule.h"
+#include "engine_sim/scenario/flown_health.h"
 #include "engine_sim/scenario/linear_model_file.h"
 #include "engine_sim/simulated_engine.h"
 
@@ -28,7 +29,8 @@ namespace ehm::engine_sim {
 
 class LinearEngine : public SimulatedEngine {
  public:
-  /// `model` as read_linear_model gives it. Of the scenario: seed, wear, changes and faults, by the model's channels.
+  /// `model` as read_linear_model gives it. Of the scenario: seed, wear, changes, noise of health and faults, by
+  /// the model's channels.
   /// @throws std::runtime_error if the model is so near to instability that its motion cannot be computed.
   LinearEngine(const linear_model::LinearModel& model, const Scenario& scenario);
 
@@ -44,14 +46,15 @@ class LinearEngine : public SimulatedEngine {
   void fly(const FlightCondition& flight) override;
 
   HealthRange health_range(std::size_t parameter) const override;
-  double health_of(std::size_t parameter) const override { return deterioration_.at(time_s(), parameter); }
+  double health_of(std::size_t parameter) const override { return flown_health_.lasting(time_s(), parameter); }
   bool can_wear(std::size_t, double, double) const override { return true; }
   void order_health(std::size_t parameter, double target, double ramp_s) override {
-    deterioration_.order(parameter, target, ramp_s, time_s());
+    flown_health_.order(parameter, target, ramp_s, time_s());
   }
   void inject(std::size_t sensor, const SensorFault& fault) override { sensors_.at(sensor).inject(fault); }
 
  private:
+  /// As it acts on the present sample.
   Eigen::VectorXd health_deviation() const;
   Eigen::VectorXd control_deviation() const;
   Eigen::VectorXd random(const Eigen::MatrixXd& root);
@@ -59,7 +62,7 @@ class LinearEngine : public SimulatedEngine {
 
   linear_model::LinearModel model_;
   EngineChannels channels_;
-  Deterioration deterioration_;
+  FlownHealth flown_health_;
   std::vector<PlannedChange> control_changes_;
   FaultSchedule pending_faults_;
   std::vector<Sensor> sensors_;

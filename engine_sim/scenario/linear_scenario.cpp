@@ -19,6 +19,7 @@ constexpr std::array refused{
     Refused{"aircraft.", "which has no offtakes"},
     Refused{"mission.", "which holds at its own operating point only"},
     Refused{"mismatch.", "which is the truth itself"},
+    Refused{"process_noise.speed_sigma_percent", "whose states move by the process_noise that it states"},
     Refused{"life.", "whose health is what [[wear]] says"},
     Refused{"sensors.", "whose sensors have the noise, resolution and update period that it states"},
     Refused{"engine.model", "which is an engine of its own"},

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine_sim/disturbance/process_noise.h"
 #include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/mismatch/mismatch.h"
 #include "engine_sim/model/gas_path.h"
@@ -76,6 +77,7 @@ struct Scenario {
 
   std::vector<Wear> wear = std::vector<Wear>(health_count);  ///< by health parameter, in the order of gas_path.h
   std::vector<PlannedChange> health_changes;
+  ProcessNoise process_noise;                  ///< off unless it is set
   std::vector<PlannedChange> control_changes;  ///< of a linear model's controls
   std::vector<ScheduledFault> faults;
   SensorOverrides sensors;

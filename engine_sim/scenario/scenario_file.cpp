@@ -49,6 +49,15 @@ struct Names {
   std::vector<double> health_unit;  ///< one, in the parameter's unit
 };
 
+/// `health_unit`, but 0 of what the truth of the engine that flies does not show.
+std::vector<double> shown_units(const SimConfig& c, const Names& names) {
+  if (c.linear) return names.health_unit;
+  std::vector<double> unit(names.health.size());
+  for (const HealthChannel& channel : c.scenario.engine->channels.health)
+    unit[channel.parameter] = names.health_unit[channel.parameter];
+  return unit;
+}
+
 /// Reads the engine that flies, or the linear model, at the first call.
 Names names_of(SimConfig& c) {
   if (c.linear_file.empty()) {
@@ -133,6 +142,17 @@ void declare_health(Schema& schema, SimConfig& c) {
                                                          t.real_or("ramp_s", 0.0, 0, far_future_s)});
                   });
                 });
+  schema.tables("health_noise",
+                "process noise of one health parameter instead of process_noise.health_sigma: parameter, sigma (of one "
+                "sample; a fraction, or in the linear model's unit)",
+                [&c](const std::string& file, const toml::array& array) {
+                  const Names names = names_of(c);
+                  for_each_table(file, "health_noise", array, [&](TableReader& t) {
+                    const std::size_t parameter = index_of(t, "parameter", names.health);
+                    const double most = ProcessNoiseKeys::most_health_sigma * names.health_unit[parameter];
+                    c.process_noise_keys.state(parameter, t.real("sigma", 0, most));
+                  });
+                });
 }
 
 void declare_control_changes(Schema& schema, SimConfig& c) {
@@ -197,7 +217,7 @@ void declare(Schema& schema, SimConfig& c) {
   schema.real("run.sample_time_s", s.sample_time_s, 0.001, 1, "s", "time between samples");
   schema.real("run.duration_s", s.duration_s, 0, far_future_s, "s", "simulated time to fly; 0: until stopped");
   schema.integer("run.seed", s.seed, 0, 9007199254740992, "",
-                 "of the sensor noise; the same seed gives the same readings");
+                 "of the sensors' noise and of the process noise; the same seed gives the same readings");
   schema.text("run.rate", c.rate,
               "times real time, 0.01 to 1000, or max: as fast as a monitor answers, losing nothing");
   schema.alias("run.rate", "--rate");
@@ -224,6 +244,7 @@ void declare(Schema& schema, SimConfig& c) {
   c.mismatch_keys.declare(schema);
   c.mission_keys.declare(schema);
   c.life_keys.declare(schema);
+  c.process_noise_keys.declare(schema);
   schema.integer("dds.domain", c.domain, 0, 232, "", "DDS domain");
   schema.text("dds.partition", c.partition, "DDS partition, fleet/<group>; empty is the default partition");
   schema.text("dds.profiles_file", c.profiles_file, "Fast DDS XML profiles; empty is the built-in UDP profile");
@@ -310,6 +331,7 @@ void finish_config(SimConfig& c, const Schema& schema) {
   else
     c.engine_keys.finish(schema.given(), c.scenario);
   c.scenario.mismatch = c.mismatch_keys.value(schema.given());
+  c.scenario.process_noise = c.process_noise_keys.value(schema.given(), shown_units(c, names));
   if (c.replay.file.empty() && !c.replay.column_map.empty())
     throw ConfigError("'replay.column_map' is for 'replay.file', which is not set");
   if (c.security_required && c.security.empty())

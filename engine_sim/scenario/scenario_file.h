@@ -10,9 +10,11 @@
 //   [mission] name, time_scale, delta_isa_k, offtake, power
 //   [life] cycles, washed_at, replaced_at, seed (life.h)
 //   [mismatch] build, soak, inputs, seed, and each cause by its name (mismatch.h)
+//   [process_noise] distribution, health_sigma, accumulate, speed_sigma_percent (process_noise.h)
 //   [[profile]] time_s, n1_rpm or net_thrust_n, altitude_m, mach, delta_isa_k, customer_bleed_kg_s, power_w
 //   [[wear]] parameter, initial, drift_per_hour
 //   [[health_change]] time_s, parameter, change, ramp_s
+//   [[health_noise]] parameter, sigma
 //   [[control_change]] time_s, control, change, ramp_s     (of a linear model)
 //   [[sensor_fault]] time_s, sensor, kind, magnitude, duration_s
 //
@@ -29,6 +31,7 @@
 #include "engine_sim/scenario/life_keys.h"
 #include "engine_sim/scenario/mismatch_keys.h"
 #include "engine_sim/scenario/mission_keys.h"
+#include "engine_sim/scenario/process_noise_keys.h"
 #include "engine_sim/scenario/scenario.h"
 
 namespace ehm::engine_sim {
@@ -46,6 +49,7 @@ struct SimConfig {
   MismatchKeys mismatch_keys;
   MissionKeys mission_keys;
   LifeKeys life_keys;
+  ProcessNoiseKeys process_noise_keys;
   ReplayOptions replay;
   std::string linear_file;  ///< file of a model to fly; empty: the turbofan flies
   /// What that file holds, once a table or finish_config has asked for it; null: the turbofan flies.

@@ -5,15 +5,16 @@
 #include <string>
 
 namespace ehm::engine_sim {
-Transient::Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak heat_soak)
+Transient::Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak heat_soak, Motion motion)
     : balance_(engine),
       heat_soak_(heat_soak),
+      motion_(motion),
       state_{start.gas.speeds, start.gas.metal_k},  // in balance each lump has the gas temperature
       predicted_(start.unknowns) {}
 
 const GasPath& Transient::output(const Operation& operation) {
   if (!present_ || !(present_->operation == operation)) {
-    present_ = solve(operation, state_, correction_.continued(predicted_));
+    present_ = solve(operation, state_, guess(predicted_, correction_));
   }
   return present_->gas;
 }
@@ -25,13 +26,23 @@ void Transient::step(const Operation& operation, double dt_s) {
   output(operation);
   const Solved now = *present_;
   // y* = y + dt f(y)
-  const Solved then = solve(operation, moved(state_, now.gas, dt_s), advance_.continued(now.unknowns));
+  const Solved then = solve(operation, moved(state_, now.gas, dt_s), guess(now.unknowns, advance_));
   // y <- y + dt/2 (f(y) + f(y*))
   state_ = moved(moved(state_, now.gas, 0.5 * dt_s), then.gas, 0.5 * dt_s);
   correction_.add(predicted_, now.unknowns);
   advance_.add(now.unknowns, then.unknowns);
   predicted_ = then.unknowns;
   present_.reset();
+}
+
+void Transient::disturb(const SpoolSpeeds& change_rpm) {
+  state_.speeds.n1_rpm += change_rpm.n1_rpm;
+  state_.speeds.n2_rpm += change_rpm.n2_rpm;
+  present_.reset();
+}
+
+FlowUnknowns Transient::guess(const FlowUnknowns& last, const UnknownsTrend& trend) const {
+  return motion_ == Motion::smooth ? trend.continued(last) : last;
 }
 
 Transient::State Transient::moved(const State& from, const GasPath& rates, double dt_s) {

@@ -4,7 +4,8 @@
 //   Heun (second order): y* = y + dt f(y),  y <- y + dt/2 (f(y) + f(y*)),  operation held over the step
 // States y: N1, N2 in rpm; with heat soak also the three metal temperatures of heat_soak.h in K, which start in balance
 // with the gas (no heat flows). dt in s. The volumes of the gas path are quasi-steady: they fill in milliseconds.
-// Each balance starts from where the changes of the last steps lead (unknowns_trend.h).
+// Each balance starts from where the changes of the last steps lead (unknowns_trend.h); in a restless flight, where
+// noise is drawn at each step and so the last changes lead astray, from the last solution.
 // Errors: those of Turbofan::gas_path; @throws std::invalid_argument if dt_s is not within 0 to 0.1 s.
 // Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.1 (Heun's second-order method).
 
@@ -18,15 +19,19 @@
 namespace ehm::engine_sim {
 
 enum class HeatSoak { without, with };
+enum class Motion { smooth, restless };
 
 class Transient {
  public:
-  Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak heat_soak = HeatSoak::without);
+  Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak heat_soak = HeatSoak::without,
+            Motion motion = Motion::smooth);
 
   /// Gas path at the present state with this operation acting now. Real-time safe: yes, unless it throws.
   const GasPath& output(const Operation& operation);
   /// Advances the state by dt_s. Real-time safe: yes, unless it throws.
   void step(const Operation& operation, double dt_s);
+  /// Adds what does not come from the engine's own equations to the speeds. Real-time safe: yes.
+  void disturb(const SpoolSpeeds& change_rpm);
   SpoolSpeeds speeds() const { return state_.speeds; }
   /// Of the metal; constant without heat soak.
   const MetalTemperatures& metal_k() const { return state_.metal_k; }
@@ -42,11 +47,13 @@ class Transient {
     GasPath gas;
   };
 
+  FlowUnknowns guess(const FlowUnknowns& last, const UnknownsTrend& trend) const;
   static State moved(const State& from, const GasPath& rates, double dt_s);
   Solved solve(const Operation& operation, const State& at, const FlowUnknowns& guess);
 
   FlowBalance balance_;
   HeatSoak heat_soak_;
+  Motion motion_;
   State state_;
   std::optional<Solved> present_;  ///< solved at the present state, so that step() after output() solves it once
   FlowUnknowns predicted_;         ///< solution at the last y*

@@ -75,6 +75,16 @@ kind = "dropout"
   EXPECT_EQ(s.faults.at(0).sensor, 1u);
 }
 
+TEST_F(LinearConfig, ProcessNoiseOfHealthIsInTheModelsUnits) {
+  const std::string on = "[process_noise]\ndistribution = \"gaussian\"\nhealth_sigma = 5e-4\n";
+  const auto noise = load(on + "[[health_noise]]\nparameter = \"h1\"\nsigma = 1e-3\n").scenario.process_noise;
+  const std::vector<double> expected{5e-4, 1e-3, 5e-4, 5e-4, 5e-4, 0.05};  // h5 is in percent
+  ASSERT_EQ(noise.health_sigma.size(), expected.size());
+  for (std::size_t j = 0; j < expected.size(); ++j) EXPECT_DOUBLE_EQ(noise.health_sigma[j], expected[j]) << j;
+  EXPECT_EQ(error(on + "[[health_noise]]\nparameter = \"h5\"\nsigma = 0.9\n"), "");
+  EXPECT_THAT(error(on + "[[health_noise]]\nparameter = \"h5\"\nsigma = 1.1\n"), HasSubstr("from 0 to 1"));
+}
+
 TEST_F(LinearConfig, TheModelIsKnownToTheTablesHoweverItIsNamed) {
   engine_sim::SimConfig config;
   config::Schema schema;
@@ -109,6 +119,8 @@ TEST_F(LinearConfig, WhatALinearModelCannotFlyIsRefusedWithTheReason) {
       {"[sensors]\nnoise_speed_percent = 1\n", "'sensors.noise_speed_percent' is given"},
       {"[engine]\nheat_soak = true\n", "'engine.heat_soak' is given"},
       {"[run]\nsample_time_s = 0.02\n", "which has a sample_time_s of its own"},
+      {"[process_noise]\ndistribution = \"gaussian\"\nspeed_sigma_percent = 0.01\n",
+       "whose states move by the process_noise that it states"},
       {"[replay]\nfile = \"x.h5\"\n", "'replay.file' is given"},
       {"[[profile]]\ntime_s = 0\nn1_rpm = 3000\n", "'profile' is given"}};
   for (const auto& [toml, message] : refused) EXPECT_THAT(error(toml), HasSubstr(message)) << toml;

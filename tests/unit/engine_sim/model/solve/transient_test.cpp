@@ -57,6 +57,33 @@ TEST(Transient, FifteenMillisecondsAgreeWithOneMillisecond) {
   EXPECT_LT(worst, 1e-3);
 }
 
+// Balances close to 1e-10 from either guess.
+TEST(Transient, ARestlessFlightDiffersByItsGuessesOnly) {
+  const Turbofan engine(jt9d());
+  const SteadyPoint start = solve_steady(engine, cruise, {}, {DemandKind::n1_rpm, 3400.0});
+  Transient smooth(engine, start), restless(engine, start, HeatSoak::without, Motion::restless);
+  Operation operation = start.operation;
+  for (int k = 0; k < 100; ++k) {
+    operation.fuel_flow_kg_s = start.operation.fuel_flow_kg_s * (1.0 + 0.0005 * k);
+    smooth.step(operation, 0.015), restless.step(operation, 0.015);
+  }
+  EXPECT_NEAR(restless.speeds().n1_rpm, smooth.speeds().n1_rpm, 1e-6);
+  EXPECT_NEAR(restless.speeds().n2_rpm, smooth.speeds().n2_rpm, 1e-6);
+}
+
+TEST(Transient, ADisturbanceOfTheSpeedsIsInTheNextOutputAndDiesOut) {
+  const Turbofan engine(jt9d());
+  const SteadyPoint start = solve_steady(engine, cruise, {}, {DemandKind::n1_rpm, 3400.0});
+  Transient run(engine, start);
+  const double still_ps30 = run.output(start.operation).ps_30_pa;
+  run.disturb({10.0, 30.0});
+  EXPECT_EQ(run.speeds().n1_rpm, start.gas.speeds.n1_rpm + 10.0);
+  EXPECT_EQ(run.output(start.operation).speeds.n2_rpm, start.gas.speeds.n2_rpm + 30.0);
+  EXPECT_NE(run.output(start.operation).ps_30_pa, still_ps30);
+  for (int k = 0; k < 2000; ++k) run.step(start.operation, 0.015);
+  EXPECT_NEAR(run.speeds().n2_rpm, start.gas.speeds.n2_rpm, 1e-6 * start.gas.speeds.n2_rpm);
+}
+
 /// N1, N2, T40, P30 every 15 ms of one slam.
 std::vector<double> slam_history(const Turbofan& engine, const ThrottleSlam& slam, int steps_per_15_ms) {
   Transient run(engine, slam.idle());
