@@ -54,8 +54,13 @@ void EngineStateSpace::tell(const sim::GasPath& gas, const OrderVector& x, Respo
 }
 
 bool EngineStateSpace::respond(const OrderVector& x, Response& response) noexcept {
+  const sim::Operation operation = operation_at(x);
+  const sim::SpoolSpeeds speeds = speeds_at(x);
   sim::GasPath gas;
-  if (engine_.evaluate(operation_at(x), speeds_at(x), gas, metal()) != sim::GasPathStatus::ok) return false;
+  sim::GasPathStatus status = engine_.evaluate_nearby(model_->engine(), operation, speeds, gas, metal());
+  // far from the reference: all the way from the design point
+  if (status == sim::GasPathStatus::no_solution) status = engine_.evaluate(operation, speeds, gas, metal());
+  if (status != sim::GasPathStatus::ok) return false;
   tell(gas, x, response);
   return true;
 }

@@ -53,7 +53,8 @@ void mission_fault_study_of_file(FaultStudyArguments arguments, const std::strin
 }  // namespace
 
 void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments) {
-  command.add_option("--design", arguments.design, "faults, false-alarms: design file of the monitor under test")
+  command
+      .add_option("--design", arguments.design, "faults, false-alarms, family: design file of the monitor under test")
       ->type_name("D.json");
   CLI::Option* cases =
       command.add_option("--cases", arguments.options.cases, "faults: flights in which something breaks, or nothing")

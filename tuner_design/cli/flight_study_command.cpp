@@ -56,7 +56,8 @@ void add_flight_study_options(CLI::App& command, FlightStudyArguments& arguments
       .add_option("--fleet", arguments.fleet,
                   "flight: engines of each fleet, default " + std::to_string(arguments.flight.engines) +
                       "; margin: engines, default " + std::to_string(arguments.margin.engines) +
-                      "; points: engines at each, default " + std::to_string(arguments.points.engines))
+                      "; points: engines at each, default " + std::to_string(arguments.points.engines) +
+                      "; family: engines of each case, default 20")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}));
   command
       .add_option("--step", arguments.flight.step_s,

@@ -9,6 +9,7 @@
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "tuner_design/cli/design_command.h"
 #include "tuner_design/cli/engine_option.h"
+#include "tuner_design/cli/family_study_command.h"
 #include "tuner_design/cli/fault_study_command.h"
 #include "tuner_design/cli/flight_study_command.h"
 #include "tuner_design/cli/import_options.h"
@@ -31,6 +32,7 @@ struct Arguments {
   FlightStudyArguments flight;
   RobustStudyOptions robust;
   LuOptions lu;
+  FamilyOptions family;
   EngineOption engine;
   OutputOptions output;
 };
@@ -105,6 +107,14 @@ void run_study(Arguments arguments, const Console& console) {
                         {arguments.engine.engine(), arguments.options.seed, arguments.options.threads},
                         arguments.output, console);
   }
+  if (arguments.study == "family") {
+    arguments.family.engine = arguments.engine.engine();
+    arguments.family.estimator.engine = arguments.engine.name_or_file;
+    arguments.family.seed = arguments.options.seed;
+    arguments.family.threads = arguments.options.threads;
+    arguments.family.engines = arguments.flight.fleet.value_or(arguments.family.engines);
+    return family_study(arguments.faults.design, arguments.family, arguments.csv, arguments.output, console);
+  }
   if (arguments.study.starts_with("lu-")) {
     arguments.lu.engine = arguments.engine.engine();
     arguments.lu.seed = arguments.options.seed;
@@ -144,14 +154,15 @@ void add_study_command(CLI::App& app, Action& run) {
                                          "the EGT margin over its life; "
                                          "the tuner filter at points from approach to take-off; "
                                          "what a robust gain buys; "
+                                         "every estimator in every case; "
                                          "or tables 4 to 9 of Lu, Huang & Lv on particle filters");
   command
       ->add_option("study", arguments->study,
-                   "Which table, faults, false-alarms, flight, starts, margin, points, robust, or lu-4 to lu-9")
+                   "Which table, faults, false-alarms, flight, starts, margin, points, robust, family, or lu-4 to lu-9")
       ->required()
       ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms",
-                             "flight", "starts", "margin", "points", "robust", "lu-4", "lu-5", "lu-6", "lu-7", "lu-8",
-                             "lu-9"}));
+                             "flight", "starts", "margin", "points", "robust", "family", "lu-4", "lu-5", "lu-6", "lu-7",
+                             "lu-8", "lu-9"}));
   CLI::Option* model =
       command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
           ->type_name("MODEL");
@@ -161,8 +172,9 @@ void add_study_command(CLI::App& app, Action& run) {
       ->check(CLI::IsMember({"new", "half-worn"}))
       ->capture_default_str()
       ->excludes(model);
-  add_engine_option(*command, arguments->engine,
-                    "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points, lu");
+  add_engine_option(
+      *command, arguments->engine,
+      "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points, family, lu");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
@@ -173,6 +185,7 @@ void add_study_command(CLI::App& app, Action& run) {
   add_fault_study_options(*command, arguments->faults);
   add_flight_study_options(*command, arguments->flight);
   add_lu_study_options(*command, arguments->lu);
+  add_family_study_options(*command, arguments->family);
   command
       ->add_option("--nominal-loss", arguments->robust.nominal_loss,
                    "robust: what the gain may cost where nothing is wrong, share of the mean error")

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "deploy/runtime/numbers/index.h"
 #include "engine_sim/model/solve/transient.h"
@@ -77,7 +76,8 @@ class Truth {
   /// The sensors at this sample, and on to the next.
   SensorVector next(const LuHealth& health) {
     for (std::size_t i = 0; i < lu_health_count; ++i)
-      operation_.health[engine_.parameters[i]] = 0.01 * (health(as_index(i)) + process_noise());
+      operation_.health[engine_.parameters[i]] =
+          0.01 * (health(as_index(i)) + lu_health_noise_percent * deviate(noise_, random_));
     SensorVector y = channels_.readings(transient_.output(operation_));
     for (Eigen::Index i = 0; i < y.size(); ++i) y(i) += engine_.sigma(i) * random_.normal();
     constexpr int steps = static_cast<int>(lu_filter_step_s / lu_model_step_s + 0.5);
@@ -86,17 +86,9 @@ class Truth {
   }
 
  private:
-  /// Rayleigh: x = s sqrt(-2 ln u), mean s sqrt(pi/2), variance (2 - pi/2) s^2.
-  double process_noise() {
-    if (noise_ == LuNoise::gaussian) return lu_health_noise_percent * random_.normal();
-    const double s = lu_health_noise_percent / std::sqrt(2.0 - 0.5 * std::numbers::pi);
-    const double x = s * std::sqrt(-2.0 * std::log(1.0 - random_.uniform()));
-    return noise_ == LuNoise::rayleigh ? x : x - s * std::sqrt(0.5 * std::numbers::pi);
-  }
-
   const LuEngine& engine_;
   onboard::EngineChannels channels_;
-  LuNoise noise_;
+  NoiseDistribution noise_;
   RandomStream random_;
   sim::Operation operation_;
   sim::Transient transient_;

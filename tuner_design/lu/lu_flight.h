@@ -4,7 +4,7 @@
 //   fault      h = 0 until 1 s, then the fault; 10 s; judged over samples 401 to 500
 //   gradual    h in 21 equal steps to the most wear, 10 s each; judged over the last 2 s of each
 //   w          white, of a new value each sample, sigma .05 % on every parameter: Gaussian, Rayleigh moved to mean 0, or
-//              as it comes; it acts on the truth and is no part of what is to be estimated (a reading: studies.md)
+//              as it comes (noise_distribution.h); it acts on the truth and is no part of what is to be estimated (a reading: studies.md)
 // The figures of merit are the mean error and the standard deviation of the estimate over the samples judged, and SME,
 // the sum of |mean error| over the parameters. Units: percent; time in s.
 // Errors: none; where the filter had no answer for half a second, or an estimate is off by more than 15 %, it diverged.
@@ -14,13 +14,10 @@
 #include <string_view>
 #include <vector>
 
+#include "deploy/runtime/numbers/noise_distribution.h"
 #include "tuner_design/lu/lu_engine.h"
 
 namespace ehm::tuner_design {
-
-enum class LuNoise { gaussian, rayleigh_shifted, rayleigh };
-inline constexpr std::array<std::string_view, 3> lu_noise_names{"Gaussian", "Rayleigh, shifted",
-                                                                "Rayleigh, as it comes"};
 
 enum class LuFilter { extended, unscented, particle, extended_particle, boxed_particle };
 inline constexpr std::array<std::string_view, 5> lu_filter_names{"EKF", "UKF", "PF", "EKPF", "cEKPF"};
@@ -28,7 +25,7 @@ inline constexpr std::array<std::string_view, 5> lu_filter_names{"EKF", "UKF", "
 struct LuFlight {
   LuFilter filter = LuFilter::extended;
   int fault = 1;  ///< 1, 2; 0: gradual wear
-  LuNoise noise = LuNoise::gaussian;
+  NoiseDistribution noise = NoiseDistribution::gaussian;
   Eigen::Index particles = 50;
   bool own_jacobian = false, ratio_weights = false;
   std::optional<std::size_t> missing_sensor = {};

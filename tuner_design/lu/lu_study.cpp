@@ -24,13 +24,19 @@ std::string fault_name(int fault) {
   return fault == 0 ? "gradual" : "fault " + std::to_string(fault);
 }
 
+std::string noise_name(NoiseDistribution noise) {
+  return noise == NoiseDistribution::gaussian           ? "Gaussian"
+         : noise == NoiseDistribution::rayleigh_shifted ? "Rayleigh of mean 0"
+                                                        : "Rayleigh as it comes";
+}
+
 /// Every filter of `filters` on both faults.
-Cases faults(const LuOptions& options, LuNoise noise, const std::vector<LuFilter>& filters) {
+Cases faults(const LuOptions& options, NoiseDistribution noise, const std::vector<LuFilter>& filters) {
   Cases cases;
   for (const int fault : {1, 2})
     for (const LuFilter filter : filters)
       cases.push_back(of({.filter = filter, .fault = fault, .noise = noise, .particles = options.particles},
-                         fault_name(fault) + ", " + std::string(lu_noise_names[static_cast<std::size_t>(noise)])));
+                         fault_name(fault) + ", " + noise_name(noise)));
   return cases;
 }
 
@@ -41,9 +47,9 @@ void append(Cases& cases, Cases more) {
 const std::vector<LuFilter> all_filters{LuFilter::extended, LuFilter::unscented, LuFilter::particle,
                                         LuFilter::extended_particle, LuFilter::boxed_particle};
 
-Cases of_noises(const LuOptions& options, const std::vector<LuNoise>& noises) {
+Cases of_noises(const LuOptions& options, const std::vector<NoiseDistribution>& noises) {
   Cases cases;
-  for (const LuNoise noise : noises) append(cases, faults(options, noise, all_filters));
+  for (const NoiseDistribution noise : noises) append(cases, faults(options, noise, all_filters));
   for (const int fault : {1, 2})
     cases.push_back(of(
         {.filter = LuFilter::extended_particle, .fault = fault, .particles = options.particles, .ratio_weights = true},
@@ -53,15 +59,16 @@ Cases of_noises(const LuOptions& options, const std::vector<LuNoise>& noises) {
 
 Cases gradual(const LuOptions& options) {
   Cases cases;
-  for (const LuNoise noise : {LuNoise::gaussian, LuNoise::rayleigh_shifted, LuNoise::rayleigh})
+  for (const NoiseDistribution noise :
+       {NoiseDistribution::gaussian, NoiseDistribution::rayleigh_shifted, NoiseDistribution::rayleigh})
     for (const LuFilter filter : all_filters)
-      cases.push_back(of({.filter = filter, .fault = 0, .noise = noise, .particles = options.particles},
-                         std::string(lu_noise_names[static_cast<std::size_t>(noise)])));
+      cases.push_back(
+          of({.filter = filter, .fault = 0, .noise = noise, .particles = options.particles}, noise_name(noise)));
   return cases;
 }
 
 Cases cost(const LuOptions& options) {
-  Cases cases = faults(options, LuNoise::gaussian, all_filters);
+  Cases cases = faults(options, NoiseDistribution::gaussian, all_filters);
   for (const int fault : {1, 2})
     cases.push_back(
         of({.filter = LuFilter::boxed_particle, .fault = fault, .particles = options.particles, .own_jacobian = true},
@@ -90,9 +97,9 @@ Cases particles() {
 Cases cases_of(const LuOptions& options) {
   switch (options.table) {
     case 4:
-      return of_noises(options, {LuNoise::gaussian});
+      return of_noises(options, {NoiseDistribution::gaussian});
     case 5:
-      return of_noises(options, {LuNoise::rayleigh_shifted, LuNoise::rayleigh});
+      return of_noises(options, {NoiseDistribution::rayleigh_shifted, NoiseDistribution::rayleigh});
     case 6:
       return gradual(options);
     case 7:

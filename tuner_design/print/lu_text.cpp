@@ -40,7 +40,7 @@ double sum_of_means(const published::Lu& p) {
 /// What the paper says of a case of tables 4 and 5.
 const published::Lu* published_of(const LuStudy& s, const LuCase& c) {
   const auto column = published_column(c.flight.filter);
-  if (!column || c.flight.fault == 0) return nullptr;
+  if (!column || c.flight.fault == 0 || c.flight.ratio_weights) return nullptr;
   const published::LuTable& table = s.options.table == 4 ? published::table_4 : published::table_5;
   return &table[as_size(c.flight.fault - 1)][*column];
 }
@@ -50,8 +50,8 @@ std::optional<double> published_figure(const LuStudy& s, const LuCase& c, std::s
   const auto column = published_column(c.flight.filter);
   switch (s.options.table) {
     case 6:
-      if (column && c.flight.noise != LuNoise::rayleigh)
-        return published::table_6[static_cast<std::size_t>(c.flight.noise)][*column];
+      if (column && c.flight.noise != NoiseDistribution::rayleigh)
+        return published::table_6[c.flight.noise == NoiseDistribution::gaussian ? 0 : 1][*column];
       return std::nullopt;
     case 7:
       return column && !c.flight.own_jacobian ? std::optional(published::table_7[as_size(c.flight.fault - 1)][*column])
@@ -72,11 +72,11 @@ std::string figure_text(const std::optional<double>& value) {
 }
 
 void print_parameters(const LuStudy& s, std::ostream& out) {
-  out << fmt::format("  {:<34}{:<7}", "case", "filter");
+  out << fmt::format("  {:<38}{:<7}", "case", "filter");
   for (const char* name : lu_health_names) out << fmt::format("{:>9}", name);
   out << fmt::format("{:>9}{:>9}\n", "SME", "spread");
   const auto line = [&](const std::string& what, const std::string& filter, const auto& values) {
-    out << fmt::format("  {:<34}{:<7}", what, filter);
+    out << fmt::format("  {:<38}{:<7}", what, filter);
     for (std::size_t i = 0; i < lu_health_count; ++i) out << fmt::format("{:>9.4f}", values[i]);
   };
   for (const LuCase& c : s.cases) {
@@ -85,7 +85,7 @@ void print_parameters(const LuStudy& s, std::ostream& out) {
                        c.diverged ? fmt::format("  {} of {} diverged", c.diverged, s.options.runs) : "");
     line("", "  sd", std::vector<double>(c.sigma_rms.begin(), c.sigma_rms.end()));
     out << '\n';
-    if (const published::Lu* p = published_of(s, c); p && c.flight.noise != LuNoise::rayleigh) {
+    if (const published::Lu* p = published_of(s, c); p && c.flight.noise != NoiseDistribution::rayleigh) {
       line("  the paper's, its one run", filter_name(c), p->mean);
       out << fmt::format("{:>9.3f}\n", sum_of_means(*p));
       line("", "  sd", p->sigma);

@@ -87,7 +87,9 @@ GasPathStatus OnBoardEngine::evaluate_nearby(const Turbofan& engine, const Opera
                                              const SpoolSpeeds& speeds, GasPath& gas,
                                              const MetalTemperatures* metal) const noexcept {
   FlowBalance balance(engine, balance_);
-  FlowUnknowns x = last_;
+  const GasPathStatus status = balance.prepare(operation, speeds);
+  if (status != GasPathStatus::ok) return status;
+  FlowUnknowns x = tangent_.continued(inputs_of(operation, speeds, metal), balance.intake()).value_or(last_);
   return balance.try_solve(operation, speeds, x, gas, metal);
 }
 

@@ -29,8 +29,8 @@ class OnBoardEngine {
   GasPathStatus evaluate(const Operation& operation, const SpoolSpeeds& speeds, GasPath& gas, GasPathJacobian& jacobian,
                          const MetalTemperatures* metal = nullptr) noexcept;
 
-  /// A slightly different engine, or this one under a slightly different operation, from the last solution; the next
-  /// evaluation starts as if this one had not been. Real-time safe: yes.
+  /// A slightly different engine, or this one under a slightly different operation, from the last solution, moved along
+  /// the tangent; the next evaluation starts as if this one had not been. Real-time safe: yes.
   GasPathStatus evaluate_nearby(const Turbofan& engine, const Operation& operation, const SpoolSpeeds& speeds,
                                 GasPath& gas, const MetalTemperatures* metal = nullptr) const noexcept;
 
