@@ -7,8 +7,8 @@
 //   h_i >= h_c,i where wear raises it (flow capacities of turbines, whose nozzles erode and clearances open)
 //
 // until maintenance lifts it. Against its own last estimate such a bound is a ratchet: noise can only push it on
-// (theory.md, "Constrained filters"); hence a bound is taken from estimates that have settled only, by whoever calls
-// take(). p parameters, channel units. Sources: Simon & Simon, ASME GT2003-38584; directions: Chatterjee & Litt,
+// (theory.md, "Constrained filters"); hence whoever calls take() does so with estimates that have settled, and with a
+// margin behind them. p parameters, channel units. Sources: Simon & Simon, ASME GT2003-38584; directions: Chatterjee & Litt,
 // NASA/TM-2003-212607 (wear over 6000 cycles). Errors: none. Real-time safe: yes, all but construction.
 
 #include <limits>
