@@ -36,6 +36,7 @@ void finish(const Study& study, const KosanamGiven& given, const OutputOptions& 
 BatchOptions batch_of(const KosanamArguments& arguments, const KosanamGiven& given, BatchOptions batch) {
   batch.runs = arguments.runs.value_or(batch.runs);
   batch.flights = arguments.flights.value_or(batch.flights);
+  batch.equal_wear_percent = arguments.equal_wear_percent;
   batch.seed = given.seed;
   batch.threads = given.threads;
   return batch;
@@ -50,6 +51,11 @@ bool is_kosanam_study(const std::string& study) {
 void add_kosanam_options(CLI::App& command, KosanamArguments& arguments) {
   command.add_option("--flights", arguments.flights, "kosanam: flights of a run; default 500, of 5.2 and 5.3 50")
       ->check(CLI::Range(2, 100'000));
+  command
+      .add_option("--equal-wear", arguments.equal_wear_percent,
+                  "kosanam: percent that every health parameter wears over the flights; 0: the wear table's")
+      ->check(CLI::Range(0.0, 20.0))
+      ->capture_default_str();
   command.add_option("--eta", arguments.robust.eta, "kosanam-5.2, -5.3: share of the standard gain in the mixed one")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();

@@ -15,6 +15,7 @@ namespace ehm::tuner_design {
 
 struct KosanamArguments {
   std::optional<int> flights, runs;
+  double equal_wear_percent = 0.0;
   RobustTablesOptions robust;
   GainSearchOptions search;
 };

@@ -16,7 +16,8 @@ namespace ehm::tuner_design {
 struct BatchOptions {
   int runs = 30, flights = 500, samples = 30;
   double cycles_a_flight = 12.0;
-  double noise_factor = 1.0;  ///< of the sensors' variance in the engine, which the filters do not know
+  double equal_wear_percent = 0.0;  ///< wear_law.h
+  double noise_factor = 1.0;        ///< of the sensors' variance in the engine, which the filters do not know
   std::uint64_t seed = 1;
   unsigned threads = 1;
 };

@@ -23,7 +23,7 @@ Eigen::VectorXd WearLaw::at(double flight) const {
   return -early * (1.0 - std::exp(-flight / early_flights)) - late * flight;
 }
 
-WearLaw wear_law(const std::vector<linear_model::Channel>& health, double cycles_a_flight) {
+WearLaw wear_law(const std::vector<linear_model::Channel>& health, double cycles_a_flight, double equal_percent) {
   const engine_sim::HealthVector half = engine_sim::health_of({.cycles = half_life_cycles}),
                                  whole = engine_sim::health_of({.cycles = 2.0 * half_life_cycles});
   WearLaw law;
@@ -34,7 +34,8 @@ WearLaw wear_law(const std::vector<linear_model::Channel>& health, double cycles
     const Eigen::Index place = place_of(health[i].name);
     if (place < 0) law.not_known.push_back(health[i].name);
     const auto from = as_size(std::max<Eigen::Index>(place, 0));  // fan_efficiency is the first
-    const double at_half = 100.0 * half[from], at_whole = 100.0 * whole[from];
+    const double scale = equal_percent > 0.0 ? equal_percent / std::abs(whole[from]) : 100.0;
+    const double at_half = scale * half[from], at_whole = scale * whole[from];
     law.early(as_index(i)) = at_whole - 2.0 * at_half;
     law.late(as_index(i)) = (at_half - at_whole) / half_life_cycles * cycles_a_flight;
     law.direction(as_index(i)) = at_whole > 0.0 ? 1.0 : -1.0;

@@ -24,6 +24,7 @@ struct WearLaw {
   Eigen::VectorXd at(double flight) const;
 };
 
-WearLaw wear_law(const std::vector<linear_model::Channel>& health, double cycles_a_flight);
+/// `equal_percent`: what each parameter has lost or gained after 6000 cycles, in place of the table's; 0: the table's.
+WearLaw wear_law(const std::vector<linear_model::Channel>& health, double cycles_a_flight, double equal_percent = 0.0);
 
 }  // namespace ehm::tuner_design

@@ -27,9 +27,12 @@ void print_not_known(const std::vector<std::string>& names, std::ostream& out) {
 
 void print_batches(const std::string& model, const BatchOptions& batch, double health_variance, std::ostream& out) {
   out << fmt::format(
-      "{}: {} runs of {} flights, {} samples each; linear truth; health wears to the end of the wear table\n"
+      "{}: {} runs of {} flights, {} samples each; linear truth; health wears {}\n"
       "(the thesis: DIGTEM, 16 states, 12 sensors); qh {:.3g} percent^2 a sample\n\n",
-      model, batch.runs, batch.flights, batch.samples, health_variance);
+      model, batch.runs, batch.flights, batch.samples,
+      batch.equal_wear_percent > 0.0 ? fmt::format("by {:g} % each", batch.equal_wear_percent)
+                                     : "to the end of the wear table",
+      health_variance);
 }
 
 /// A result for a parameter of each filter.
