@@ -49,7 +49,9 @@ bool is_kosanam_study(const std::string& study) {
 }
 
 void add_kosanam_options(CLI::App& command, KosanamArguments& arguments) {
-  command.add_option("--flights", arguments.flights, "kosanam: flights of a run; default 500, of 5.2 and 5.3 50")
+  command
+      .add_option("--batches", arguments.flights,
+                  "kosanam: flights of a run, a batch of samples each; default 500, of 5.2 and 5.3 50")
       ->check(CLI::Range(2, 100'000));
   command
       .add_option("--equal-wear", arguments.equal_wear_percent,

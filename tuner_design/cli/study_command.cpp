@@ -105,10 +105,10 @@ void run_study(Arguments arguments, const Console& console) {
     arguments.robust.qh_percent2 = arguments.options.qh_percent2;
     return run_robust(arguments, console);
   }
-  if (is_kosanam_study(arguments.study)) return run_kosanam(arguments, console);
   if (!of_the_paper && arguments.trim != "new")
     throw CLI::ValidationError(
         "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
+  if (is_kosanam_study(arguments.study)) return run_kosanam(arguments, console);
   if (is_flight_study(arguments.study)) {
     if (!arguments.csv.empty())
       throw CLI::ValidationError("--csv", "does not go with " + arguments.study + "; --json has every number");

@@ -87,10 +87,10 @@ void print_table_5_1(const ConstrainedTables& t, std::ostream& out) {
 
 void print_all_filters(const ConstrainedTables& t, std::ostream& out) {
   const BatchResult& r = t.table();
-  out << fmt::format("\n  {:<36}{:>12}{:>12}{:>8}{:>10}{:>10}\n", "all filters, mean over parameters", "% nominal",
+  out << fmt::format("\n  {:<36}{:>12}{:>12}{:>11}{:>10}{:>10}\n", "all filters, mean over parameters", "% nominal",
                      "% of change", "ratio", "bias", "coverage");
   for (std::size_t f = 0; f < r.filters.size(); ++f)
-    out << fmt::format("  {:<36}{:>12.4f}{:>12.2f}{:>8.3f}{:>10.4f}{:>10.3f}\n", r.filters[f].name, r.mean_rms(f),
+    out << fmt::format("  {:<36}{:>12.4f}{:>12.2f}{:>11.3f}{:>10.4f}{:>10.3f}\n", r.filters[f].name, r.mean_rms(f),
                        r.of_change(f), r.mean_rms(f) / r.mean_rms(constrained_case::kalman), r.filters[f].bias.mean(),
                        r.filters[f].coverage.mean());
   out << "  ratio: to the steady Kalman filter, of percent nominal (published, of its percent: 0.80); bias: percent\n"

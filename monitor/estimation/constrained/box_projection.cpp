@@ -136,7 +136,9 @@ BoxSolution project_onto_box(const HealthCovariance& P, const HealthVector& lowe
   // Once more from xhat, so that nothing of the way there is left in the solution.
   HealthVector miss(set.count());
   for (Eigen::Index a = 0; a < set.count(); ++a) miss(a) = set.bound(a) - x(set.at(a));
-  x = clamped_to_box(set.moved(x, set.solve(miss)), lower, upper);
+  moving = set.moved(x, set.solve(miss));
+  if (!moving.allFinite()) return BoxSolution::unfinished;
+  x = clamped_to_box(moving, lower, upper);
   for (Eigen::Index a = 0; a < set.count(); ++a) x(set.at(a)) = set.bound(a);
   return BoxSolution::found;
 }

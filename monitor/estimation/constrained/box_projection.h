@@ -23,7 +23,7 @@ namespace ehm::estimation {
 enum class BoxSolution {
   found,
   infeasible,  ///< no point of the box can be reached along P, a bound lies above its partner, or a number is not one
-  unfinished   ///< did not end within the steps that are allowed
+  unfinished   ///< did not end within the steps that are allowed, or not with numbers
 };
 
 /// W = P^-1. `x` is xhat, and becomes the solution; it stays what it is unless one was found.

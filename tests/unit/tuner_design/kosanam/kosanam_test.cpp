@@ -91,12 +91,29 @@ TEST(ConstrainedTables, TheConstraintGainsAndTheRatchetLoses) {
   EXPECT_GT(result.filters[projection_fed_back].bias.mean(), result.filters[projection].bias.mean());
   EXPECT_GT(result.filters[projection].bias.mean(), result.filters[kalman].bias.mean());
   EXPECT_NEAR(tables.ratio(time_varying), 1.0, 0.1);
-  // asked of the truncation's sigma: 0.93 to 0.97; 30 runs of 500 flights give 0.969
-  EXPECT_NEAR(result.filters[truncation_3_behind].coverage.mean(), 0.96, 0.03);
+  // no constraint makes the sigma of a filter honest that lags behind the wear, and it costs little
+  EXPECT_NEAR(result.filters[truncation_3_behind].coverage.mean(), result.filters[kalman].coverage.mean(), 0.03);
   std::ostringstream text;
   print_constrained_tables(tables, text);
   EXPECT_THAT(text.str(), testing::HasSubstr("Table 5.1"));
   EXPECT_EQ(constrained_tables_as_json(tables)["sweep"].size(), 2u);
+}
+
+// Asked: constrained over unconstrained as published, 0.80, and 0.93 to 0.97 of the truth within the truncation's sigma.
+// Measured: 0.91 with the wear table, where LPT flow moves by three sigma in a life, 0.85 with 3 % each.
+TEST(ConstrainedTables, TheFiguresThatWereAsked) {
+  using namespace constrained_case;
+  ConstrainedTablesOptions options;
+  options.batch.threads = 2;
+  options.sweep = {3.0};
+  const ConstrainedTables tables = constrained_tables(mapss_model(), options);
+  EXPECT_NEAR(tables.ratio(identity), 0.91, 0.01);
+  const double coverage = tables.table().filters[truncation_3_behind].coverage.mean();
+  EXPECT_GE(coverage, 0.93);
+  EXPECT_LE(coverage, 0.97);
+  options.batch.runs = 10;
+  options.batch.equal_wear_percent = 3.0;
+  EXPECT_NEAR(constrained_tables(mapss_model(), options).ratio(identity), 0.84, 0.02);
 }
 
 TEST(ConstrainedTables, AreTheSameOnAnyNumberOfThreads) {
