@@ -63,6 +63,29 @@ void state_to_json(const estimation::EstimatorState& state, Json& json) {
   json["error"] = error_to_json(state.error);
 }
 
+/// Adds what a constraint holds beside it.
+void constrained_to_json(const estimation::ConstrainedState& state, Json& json) {
+  if (state.bound.size() == 0) return;
+  json["constrained"] = {
+      {"bound", files::vector_to_json(state.bound, "checkpoint", "constrained.bound")},
+      {"health", files::vector_to_json(state.health, "checkpoint", "constrained.health")},
+      {"sigma_share", files::vector_to_json(state.sigma_share, "checkpoint", "constrained.sigma_share")}};
+}
+
+estimation::ConstrainedState constrained_from_json(JsonObject& root) {
+  if (root.find("constrained") == nullptr) return {};
+  JsonObject object(root.at("constrained"), root.file(), root.key("constrained"));
+  estimation::ConstrainedState state;
+  state.bound = object.vector("bound", length(object, "bound", estimation::max_health));
+  state.health = object.vector("health", state.bound.size());
+  state.sigma_share = object.vector("sigma_share", state.bound.size());
+  object.refuse_unknown();
+  for (const auto& [name, values] :
+       {std::pair{"bound", &state.bound}, {"health", &state.health}, {"sigma_share", &state.sigma_share}})
+    state_json::require_moderate(object, name, *values);
+  return state;
+}
+
 estimation::EstimatorState state_from_json(JsonObject& object, bool has_hold) {
   estimation::EstimatorState state;
   state.missing_sensor = state_json::integer(object, "missing_sensor", -1, estimation::max_sensors - 1);
@@ -81,6 +104,7 @@ Json companions_to_json(const std::vector<CompanionState>& companions) {
     if (state.estimate.size() > 0) state_to_json(state, json[std::string(name)]);
     if (!state.learned.empty())
       json[std::string(name)]["learned"] = state_json::learned_to_json(state.learned, "checkpoint", "learned");
+    if (json.contains(std::string(name))) constrained_to_json(state.constrained, json[std::string(name)]);
   }
   return json;
 }
@@ -103,6 +127,7 @@ std::vector<CompanionState> companions_from_json(JsonObject& root) {
     JsonObject companion(object.at(name), root.file(), object.key(name));
     companions.push_back({known, companion.find("learned") != nullptr ? learned_state_from_json(companion)
                                                                       : state_from_json(companion, true)});
+    companions.back().state.constrained = constrained_from_json(companion);
     companion.refuse_unknown();
   }
   return companions;

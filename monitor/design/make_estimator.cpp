@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "monitor/design/make_constrained.h"
 #include "monitor/design/make_error_model.h"
 #include "monitor/design/make_filter.h"
 #include "monitor/design/make_full_order.h"
@@ -23,6 +24,11 @@ std::unique_ptr<Estimator> nonlinear(const Design& design, const EstimatorOption
                                      const estimation::PointDistance&) {
   return make_nonlinear_estimator(kind, design, options);
 }
+
+const EstimatorKind* kind_of(std::string_view name) noexcept;
+
+/// The one of estimator.constrained_of.
+const EstimatorKind& constrained_kind(const EstimatorOptions& options);
 
 constexpr std::array kinds{
     EstimatorKind{tuner_name, "steady-state Kalman filter on the tuners q = V* h", EstimatorBasis::design,
@@ -69,11 +75,25 @@ constexpr std::array kinds{
     EstimatorKind{"ekpf", "extended Kalman particle filter on the engine itself", EstimatorBasis::engine,
                   nonlinear<NonlinearKind::extended_particle>},
     EstimatorKind{"cekpf", "the same, health held within bounds", EstimatorBasis::engine,
-                  nonlinear<NonlinearKind::boxed_particle>}};
+                  nonlinear<NonlinearKind::boxed_particle>},
+    EstimatorKind{
+        constrained_name, "estimator.constrained_of, whose health no longer improves by itself once it has settled",
+        EstimatorBasis::design,
+        [](const Design& design, const EstimatorOptions& options, const estimation::PointDistance& distance) {
+          return make_constrained_estimator(constrained_kind(options).make(design, options, distance), design, options);
+        }}};
 
 const EstimatorKind* kind_of(std::string_view name) noexcept {
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const EstimatorKind& k) { return name == k.name; });
   return kind == kinds.end() ? nullptr : &*kind;
+}
+
+const EstimatorKind& constrained_kind(const EstimatorOptions& options) {
+  const EstimatorKind* kind = kind_of(options.constrained_of);
+  if (!kind || kind->name == std::string_view(constrained_name))
+    throw std::invalid_argument("'estimator.constrained_of' is '" + options.constrained_of +
+                                "'; allowed: one of the others, " + known_names());
+  return *kind;
 }
 
 std::vector<estimation::ErrorModel> make_error_models(const Design& design) {
@@ -98,6 +118,11 @@ std::string known_names() {
   std::string names;
   for (const EstimatorKind& kind : kinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
   return names;
+}
+
+bool publishes_on_board(const EstimatorOptions& options) noexcept {
+  return options.published == on_board_name ||
+         (options.published == constrained_name && options.constrained_of == on_board_name);
 }
 
 std::vector<std::string_view> companion_names(const EstimatorOptions& options) {

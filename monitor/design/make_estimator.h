@@ -20,6 +20,7 @@ namespace ehm::design {
 inline constexpr const char* tuner_name = "tuner";
 inline constexpr const char* on_board_name = "onboard";
 inline constexpr const char* scheduled_name = "scheduled";
+inline constexpr const char* constrained_name = "constrained";
 
 /// What an estimator is made of: the design's own matrices, the engine that it was made of, or its schedule.
 enum class EstimatorBasis { design, engine, schedule };
@@ -44,6 +45,9 @@ std::vector<std::string> shadow_names(const monitor::EstimatorOptions& options);
 /// The published one and the shadows, without the tuner filter, which flies in any case; names of the table.
 /// @throws std::invalid_argument as shadow_names, or if the published one is not known.
 std::vector<std::string_view> companion_names(const monitor::EstimatorOptions& options);
+
+/// What is published is the on-board estimator's, constrained or not: it learns from flight to flight.
+bool publishes_on_board(const monitor::EstimatorOptions& options) noexcept;
 
 /// The table's own text of a name, which lives for ever; empty if it has none such.
 std::string_view known_name(std::string_view name) noexcept;

@@ -16,6 +16,10 @@ struct ChannelUnits {
 
   SensorVector deviation(const SensorVector& y) const noexcept { return (y - sensor_trim).cwiseQuotient(sensor_scale); }
   HealthVector health(const HealthVector& h) const noexcept { return health_trim + health_scale.cwiseProduct(h); }
+  /// The other way.
+  HealthVector scaled_health(const HealthVector& health) const noexcept {
+    return (health - health_trim).cwiseQuotient(health_scale);
+  }
   AuxiliaryVector auxiliary(const AuxiliaryVector& z) const noexcept {
     return auxiliary_trim + auxiliary_scale.cwiseProduct(z);
   }

@@ -105,6 +105,21 @@ void ErrorPropagation::read_out(const Mean& mean, const Covariance& covariance) 
   publish();
 }
 
+HealthCovariance ErrorPropagation::health_covariance() const noexcept {
+  const ErrorModel& m = *model_;
+  const Mean mean = mean_.load();
+  const Covariance spread = covariance_.load();
+  BoundedMatrix<max_health, max_unknowns> bias = m.health_output.lazyProduct(mean);  // Th M - Gh
+  bias -= m.health_truth;
+  const Eigen::Index health = m.health_truth.rows();
+  bias.leftCols(health) *= std::sqrt(excess_);
+  bias.rightCols(bias.cols() - health) *= excess_;
+  const BoundedMatrix<max_health, max_augmented> noise = m.health_output.lazyProduct(spread);  // Th S
+  HealthCovariance covariance = bias.lazyProduct(bias.transpose());
+  covariance += noise.lazyProduct(m.health_output.transpose());
+  return m.health_scale.asDiagonal() * covariance * m.health_scale.asDiagonal();
+}
+
 void ErrorPropagation::publish() noexcept {
   health_sigma_ = health_parts_.sigma(excess_, model_->health_scale);
   auxiliary_sigma_ = auxiliary_parts_.sigma(excess_, model_->auxiliary_scale);

@@ -100,6 +100,8 @@ class ErrorPropagation {
   bool settled() const noexcept { return remaining_ <= 0; }
   const HealthVector& health_sigma() const noexcept { return health_sigma_; }
   const AuxiliaryVector& auxiliary_sigma() const noexcept { return auxiliary_sigma_; }
+  /// Of the whole error of health, channel units squared; health_sigma squared is its diagonal. Real-time safe: yes.
+  HealthCovariance health_covariance() const noexcept;
   const VarianceParts<max_health>& health_variance() const noexcept { return health_parts_; }
   const VarianceParts<max_auxiliary>& auxiliary_variance() const noexcept { return auxiliary_parts_; }
   /// Of the innovations of the next sample, sensor units squared.

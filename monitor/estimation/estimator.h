@@ -80,6 +80,17 @@ class Estimator {
   /// that standard deviation. A cold start from now on begins with what the flight has taught.
   virtual void next_flight(double wear_percent) noexcept { static_cast<void>(wear_percent); }
 
+  /// Covariance of the whole error of health over the fleet, channel units squared: health_sigma squared is its
+  /// diagonal. Of size 0: not known.
+  [[nodiscard]] virtual HealthCovariance health_covariance() const noexcept { return {}; }
+  /// Goes on from health, channel units, that something beside the sensors has corrected (constrained/): what its own
+  /// covariance says is correlated moves along, and the covariance stays. False, and nothing is changed: it cannot hold
+  /// any health whatever.
+  virtual bool correct_health(const HealthVector& health) noexcept {
+    static_cast<void>(health);
+    return false;
+  }
+
   /// What healthy sensors read where it holds.
   [[nodiscard]] virtual SensorSpan span() const noexcept { return {}; }
   /// How far the conditions are from where the model holds, in tolerances; above 1 it extrapolates.

@@ -9,6 +9,8 @@
 //   onboard        none: what the flight has taught so far (learned.h), from which it begins anew, its speeds measured
 //                  and its metal's temperatures in doubt, as after any start in flight
 //
+//   constrained    that of the one inside, and the constraint's own beside it
+//
 // M and D are the same: E[xhat - [x; h] | what is unknown but constant]. Not kept, since the next sample brings it: the
 // innovations, the actuators, what widen() was told.
 
@@ -20,11 +22,18 @@
 
 namespace ehm::estimation {
 
+/// Of constrained/constrained_estimator.h; p each, all of length 0 where nothing is constrained yet.
+struct ConstrainedState {
+  HealthVector bound, health;  ///< where each parameter may not go beyond; the constrained estimate; channel units
+  HealthVector sigma_share;    ///< of the estimator's own sigma
+};
+
 struct EstimatorState {
   int missing_sensor = -1;        ///< that the design in use lacks; -1: none
   std::int64_t held_samples = 0;  ///< since the error's theory went on, while a sensor holds its values
   AugmentedVector estimate = {};
   ErrorState error = {};
+  ConstrainedState constrained = {};
   Learned learned = {};  ///< of length 0 where the estimator keeps a state in its place
 };
 

@@ -92,6 +92,21 @@ bool GaussMarkovEstimator::restore(const EstimatorState& state) noexcept {
   return true;
 }
 
+bool GaussMarkovEstimator::correct_health(const HealthVector& health) noexcept {
+  const FullOrderModel& model = *model_->model;
+  const Eigen::Index n = model.A.rows(), p = model.L.cols();
+  AugmentedVector moved = filter_.estimate();
+  const HealthVector change = model_->units.scaled_health(health) - moved.tail(p);
+  // the prior is [X Ph; Ph], X = (I-A)^-1 L, and Ph diagonal
+  const HealthVector fleet = model.prior.diagonal().tail(p);
+  for (Eigen::Index j = 0; j < p; ++j)
+    if (fleet(j) > 0.0) moved.head(n) += (change(j) / fleet(j)) * model.prior.col(n + j).head(n);
+  moved.tail(p) += change;
+  filter_.restore(moved);
+  read_out();
+  return true;
+}
+
 void GaussMarkovEstimator::read_out() noexcept {
   estimate_.health = model_->units.health(filter_.health());
   estimate_.auxiliary = model_->units.auxiliary(filter_.auxiliary());

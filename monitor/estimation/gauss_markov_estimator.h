@@ -45,6 +45,9 @@ class GaussMarkovEstimator final : public Estimator {
   void widen(double excess) noexcept override;
   void save(EstimatorState& state) const noexcept override;
   bool restore(const EstimatorState& state) noexcept override;
+  [[nodiscard]] HealthCovariance health_covariance() const noexcept override { return error_.health_covariance(); }
+  /// The state moves as the balance of the engine does, by (I-A)^-1 L dh.
+  bool correct_health(const HealthVector& health) noexcept override;
   [[nodiscard]] double distance(const Conditions& conditions) const noexcept override {
     return distance_.of(conditions);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/estimation/time_varying_estimator.h"
 
+#include <Eigen/Cholesky>
 #include <utility>
 
 #include "deploy/runtime/numbers/index.h"
@@ -76,6 +77,27 @@ bool TimeVaryingEstimator::restore(const EstimatorState& state) noexcept {
   if (!filter_.restore(state.estimate, error.covariance, error.mean)) return false;
   remaining_ = error.remaining;
   begun_ = true;
+  read_out();
+  return true;
+}
+
+HealthCovariance TimeVaryingEstimator::health_covariance() const noexcept {
+  const Eigen::Index p = model_->model->L.cols();
+  const BoundedMatrix<max_health, max_offsets> offset = filter_.offset().bottomRows(p);
+  HealthCovariance covariance = excess_ * filter_.covariance().bottomRightCorner(p, p);
+  covariance += excess_ * excess_ * offset.lazyProduct(offset.transpose());
+  return model_->units.health_scale.asDiagonal() * covariance * model_->units.health_scale.asDiagonal();
+}
+
+bool TimeVaryingEstimator::correct_health(const HealthVector& health) noexcept {
+  const Eigen::Index n = model_->model->A.rows(), p = model_->model->L.cols();
+  AugmentedVector moved = filter_.estimate();
+  const HealthVector change = model_->units.scaled_health(health) - moved.tail(p);
+  const HealthCovariance own = filter_.covariance().bottomRightCorner(p, p);
+  const HealthVector weight = own.ldlt().solve(change);
+  moved.head(n) += filter_.covariance().topRightCorner(n, p).lazyProduct(weight);
+  moved.tail(p) += change;
+  filter_.restore(moved, filter_.covariance(), filter_.offset());
   read_out();
   return true;
 }

@@ -32,6 +32,9 @@ class TimeVaryingEstimator final : public Estimator {
   void widen(double excess) noexcept override;
   void save(EstimatorState& state) const noexcept override;
   bool restore(const EstimatorState& state) noexcept override;
+  [[nodiscard]] HealthCovariance health_covariance() const noexcept override;
+  /// The state moves by Pxh Phh^-1 dh.
+  bool correct_health(const HealthVector& health) noexcept override;
   [[nodiscard]] double distance(const Conditions& conditions) const noexcept override {
     return distance_.of(conditions);
   }

@@ -39,6 +39,8 @@ class TunerEstimator final : public Estimator {
   void widen(double excess) noexcept override;
   void save(EstimatorState& state) const noexcept override;
   bool restore(const EstimatorState& state) noexcept override;
+  /// Its q cannot hold any health: correct_health stays false.
+  [[nodiscard]] HealthCovariance health_covariance() const noexcept override { return error_.health_covariance(); }
   [[nodiscard]] double distance(const Conditions& conditions) const noexcept override {
     return distance_.of(conditions);
   }

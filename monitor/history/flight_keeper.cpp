@@ -57,8 +57,7 @@ void FlightKeeper::add_designs(const EngineTable& engines) {
   for (const design::Design* design : engines.designs()) {
     if (prepared_.contains(design->hash)) continue;
     Prepared prepared{*design, nullptr};
-    if (estimator_.published == design::on_board_name)
-      prepared.model = design::make_on_board_model(*design, estimator_);
+    if (design::publishes_on_board(estimator_)) prepared.model = design::make_on_board_model(*design, estimator_);
     prepared_.emplace(design->hash, std::move(prepared));
   }
 }

@@ -110,6 +110,11 @@ void NonlinearEstimator::next_flight(double wear_percent) noexcept {
   filter_->open(opened);
 }
 
+estimation::HealthCovariance NonlinearEstimator::health_covariance() const noexcept {
+  const Eigen::Index p = health_count();
+  return (1e-4 * excess_) * filter_->covariance().bottomRightCorner(p, p);  // fractions
+}
+
 bool NonlinearEstimator::use(SensorMask available) noexcept {
   const SensorMask all = first_sensors(space_.sensor_count());
   if ((available & all).none()) return false;

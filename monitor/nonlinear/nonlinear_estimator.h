@@ -52,6 +52,7 @@ class NonlinearEstimator final : public estimation::Estimator {
   [[nodiscard]] estimation::Learned learned() const noexcept override;
   bool begin_with(const estimation::Learned& known, double wear_percent) noexcept override;
   void next_flight(double wear_percent) noexcept override;
+  [[nodiscard]] estimation::HealthCovariance health_covariance() const noexcept override;
   [[nodiscard]] estimation::SensorSpan span() const noexcept override { return model_->span(); }
   [[nodiscard]] double distance(const estimation::Conditions& conditions) const noexcept override;
   [[nodiscard]] const estimation::Innovation& innovation() const noexcept override { return innovation_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/onboard/on_board_estimator.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -63,6 +64,7 @@ void OnBoardEstimator::start_cold() noexcept {
   xi_.segment(UnknownLayout::first_health(), prior_.value.size()) = prior_.value;
   set_metal();
   covariance_.start(prior_.covariance);
+  moved_.setZero(layout_.count());
   rates_.setZero();
   lagged_.setZero(layout_.sensor_count);
   noise_.setOnes(layout_.sensor_count);
@@ -260,7 +262,28 @@ void OnBoardEstimator::update(SensorMask fused, std::int64_t) noexcept {
   }
   ++samples_;
   move_by(change);
+  moved_ = change;
   read_out(change);
+}
+
+estimation::HealthCovariance OnBoardEstimator::health_covariance() const noexcept {
+  const Eigen::Index first = UnknownLayout::first_health(), p = layout_.health_count;
+  return (1e-4 * excess_) * covariance_.matrix().block(first, first, p, p);  // fractions
+}
+
+bool OnBoardEstimator::correct_health(const estimation::HealthVector& health) noexcept {
+  const Eigen::Index first = UnknownLayout::first_health(), p = layout_.health_count;
+  const estimation::HealthVector miss = 100.0 * health - xi_.segment(first, p);
+  const estimation::HealthCovariance own = covariance_.matrix().block(first, first, p, p);
+  const estimation::HealthVector weight = own.ldlt().solve(miss);
+  UnknownVector change = covariance_.matrix().middleCols(first, p) * weight;
+  change.segment(first, p) = miss;
+  shift_unknowns(change);
+  rates_ += tangent_.rates() * change;
+  set_metal();
+  moved_ += change;
+  read_out(moved_);
+  return true;
 }
 
 void OnBoardEstimator::watch_for_steps(SensorMask fused) noexcept {
@@ -301,17 +324,21 @@ void OnBoardEstimator::open_for_step() noexcept {
 }
 
 void OnBoardEstimator::move_by(const UnknownVector& change) noexcept {
+  const UnknownVector before = linear_causes();
+  shift_unknowns(change);
+  rates_ = tangent_.rates_of(tangent_.gas()) + tangent_.rates() * change +
+           tangent_.rates().middleCols(layout_.first_cause(), layout_.cause_count) * before;
+  set_metal();
+}
+
+void OnBoardEstimator::shift_unknowns(const UnknownVector& change) noexcept {
   const sim::SpoolSpeeds& design = model_->engine().data().design.speeds;
   motion_.speeds.n1_rpm += 0.01 * change(0) * design.n1_rpm;
   motion_.speeds.n2_rpm += 0.01 * change(1) * design.n2_rpm;
   const Eigen::Index others = layout_.count() - speed_count;
-  const UnknownVector before = linear_causes();
   xi_.tail(others) += change.tail(others);
   auto health = xi_.segment(UnknownLayout::first_health(), layout_.health_count);
   health = health.cwiseMax(-largest_health_percent).cwiseMin(largest_health_percent);
-  rates_ = tangent_.rates_of(tangent_.gas()) + tangent_.rates() * change +
-           tangent_.rates().middleCols(layout_.first_cause(), layout_.cause_count) * before;
-  set_metal();
 }
 
 /// The causes that the model does not hold itself, and zeros.

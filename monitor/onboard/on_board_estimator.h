@@ -41,6 +41,9 @@ class OnBoardEstimator final : public estimation::Estimator {
   void widen(double excess) noexcept override;
   void save(estimation::EstimatorState& state) const noexcept override;
   bool restore(const estimation::EstimatorState& state) noexcept override;
+  [[nodiscard]] estimation::HealthCovariance health_covariance() const noexcept override;
+  /// What is unknown besides moves by P_uh Phh^-1 dh.
+  bool correct_health(const estimation::HealthVector& health) noexcept override;
   [[nodiscard]] estimation::SensorSpan span() const noexcept override { return model_->span(); }
   [[nodiscard]] double distance(const estimation::Conditions& conditions) const noexcept override;
   [[nodiscard]] const estimation::Innovation& innovation() const noexcept override { return innovation_; }
@@ -64,6 +67,7 @@ class OnBoardEstimator final : public estimation::Estimator {
   void forget_findings() noexcept;
   void open_for_step() noexcept;
   void move_by(const UnknownVector& change) noexcept;
+  void shift_unknowns(const UnknownVector& change) noexcept;
   /// The causes of mismatch, in their standard deviations.
   UnknownVector causes() const noexcept { return xi_.segment(layout_.first_cause(), layout_.cause_count); }
   UnknownVector linear_causes() const noexcept;
@@ -78,6 +82,7 @@ class OnBoardEstimator final : public estimation::Estimator {
   StepWatch steps_;
   EngineMotion motion_;
   UnknownVector xi_;                         ///< the speeds' places are not used: motion_ has them
+  UnknownVector moved_;                      ///< by how much, since the engine answered
   Eigen::Vector2d rates_{0.0, 0.0};          ///< percent/s, at the estimate
   estimation::SensorVector lagged_, noise_;  ///< predicted readings; variances r, percent^2
   ReadingDoubt doubt_;                       ///< what r is made of

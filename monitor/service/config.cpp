@@ -106,6 +106,20 @@ void declare_estimators(Schema& schema, EstimatorOptions& o) {
   schema.real("estimator.lag_temperature_s", o.lag_temperature_s, 0, 10, "s", "the same of the temperatures");
   schema.choice("estimator.noise_of", o.noise_of, {"reading", "trim"},
                 "of onboard: whether noise is the engine file's percent of the present reading, or the design's sigma");
+  std::erase(names, design::constrained_name);
+  schema.choice("estimator.constrained_of", o.constrained_of, names,
+                "of constrained: whose health it keeps from improving by itself");
+  schema.choice("estimator.constraint", o.constraint, {"projection", "projection_identity", "truncation"},
+                "of constrained: the nearest point that is allowed by the estimator's covariance, the nearest one, or "
+                "the mean of the truncated Gaussian with its sigma");
+  schema.real("estimator.constraint_margin_sigma", o.constraint_margin_sigma, 0, 10, "sigma",
+              "of constrained: the bound stays so far behind the estimate; at 0 noise pushes the estimate on");
+  schema.flag("estimator.constraint_feeds_back", o.constraint_feeds_back,
+              "of constrained: the estimator goes on from the constrained health, and becomes biased the way of wear; "
+              "not with tuner, scheduled or truncation");
+  schema.text("estimator.wear_raises", o.wear_raises,
+              "of constrained: health parameters that wear raises, with commas between; empty: flow capacities of "
+              "turbines");
 }
 
 void declare_nonlinear(Schema& schema, EstimatorOptions& o) {

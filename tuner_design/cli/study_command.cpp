@@ -13,7 +13,9 @@
 #include "tuner_design/cli/fault_study_command.h"
 #include "tuner_design/cli/flight_study_command.h"
 #include "tuner_design/cli/import_options.h"
+#include "tuner_design/cli/kosanam_command.h"
 #include "tuner_design/cli/lu_study_command.h"
+#include "tuner_design/kosanam/mapss_model.h"
 #include "tuner_design/linearise/linearise.h"
 #include "tuner_design/print/check_text.h"
 #include "tuner_design/print/robust_study_text.h"
@@ -31,6 +33,7 @@ struct Arguments {
   FaultStudyArguments faults;
   FlightStudyArguments flight;
   RobustStudyOptions robust;
+  KosanamArguments kosanam;
   LuOptions lu;
   FamilyOptions family;
   EngineOption engine;
@@ -87,6 +90,15 @@ void run_robust(const Arguments& arguments, const Console& console) {
   print_of_model(arguments, console, imported, study, robust_study_as_json, print_robust_study);
 }
 
+void run_kosanam(const Arguments& arguments, const Console& console) {
+  const ImportedModel model =
+      arguments.model.empty() ? ImportedModel{mapss_model(), "", {}} : import_model(arguments.model, arguments.import);
+  kosanam_study(arguments.kosanam,
+                {arguments.study, arguments.model, arguments.csv, model, arguments.options.seed,
+                 static_cast<unsigned>(arguments.options.threads)},
+                arguments.output, console);
+}
+
 void run_study(Arguments arguments, const Console& console) {
   arguments.faults.options.seed = arguments.options.seed;
   arguments.faults.options.threads = arguments.options.threads;
@@ -100,6 +112,7 @@ void run_study(Arguments arguments, const Console& console) {
   if (!of_the_paper && arguments.trim != "new")
     throw CLI::ValidationError(
         "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
+  if (is_kosanam_study(arguments.study)) return run_kosanam(arguments, console);
   if (is_flight_study(arguments.study)) {
     if (!arguments.csv.empty())
       throw CLI::ValidationError("--csv", "does not go with " + arguments.study + "; --json has every number");
@@ -155,17 +168,20 @@ void add_study_command(CLI::App& app, Action& run) {
                                          "the tuner filter at points from approach to take-off; "
                                          "what a robust gain buys; "
                                          "every estimator in every case; "
+                                         "the tables of Kosanam's thesis: constrained and robust filters; "
                                          "or tables 4 to 9 of Lu, Huang & Lv on particle filters");
   command
       ->add_option("study", arguments->study,
                    "Which table, faults, false-alarms, flight, starts, margin, points, robust, family, or lu-4 to lu-9")
       ->required()
       ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms",
-                             "flight", "starts", "margin", "points", "robust", "family", "lu-4", "lu-5", "lu-6", "lu-7",
-                             "lu-8", "lu-9"}));
-  CLI::Option* model =
-      command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
-          ->type_name("MODEL");
+                             "flight",       "starts",       "margin",       "points",       "robust", "family",
+                             "lu-4",         "lu-5",         "lu-6",         "lu-7",         "lu-8",   "lu-9",
+                             "kosanam-5.1",  "kosanam-5.2",  "kosanam-5.3",  "kosanam-ga"}));
+  CLI::Option* model = command
+                           ->add_option("--model", arguments->model,
+                                        std::string(model_help) + "; default: our engine at cruise, of kosanam MAPSS")
+                           ->type_name("MODEL");
   command
       ->add_option("--trim", arguments->trim,
                    "simon-garg: where our engine is linearised, new, or half worn as in the paper; not with --model")
@@ -179,9 +195,11 @@ void add_study_command(CLI::App& app, Action& run) {
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
       ->capture_default_str();
-  command->add_option("--runs", options.runs, "Runs of 30 s of the Kalman filter")
-      ->check(CLI::Range(std::size_t{10}, std::size_t{1'000'000}))
-      ->capture_default_str();
+  CLI::Option* runs =
+      command->add_option("--runs", options.runs, "Runs of 30 s of the Kalman filter; of kosanam engines, default 30")
+          ->check(CLI::Range(std::size_t{10}, std::size_t{1'000'000}))
+          ->capture_default_str();
+  add_kosanam_options(*command, arguments->kosanam);
   add_fault_study_options(*command, arguments->faults);
   add_flight_study_options(*command, arguments->flight);
   add_lu_study_options(*command, arguments->lu);
@@ -203,8 +221,10 @@ void add_study_command(CLI::App& app, Action& run) {
       ->check(CLI::Range(1, 1024));
   add_import_options(*command, arguments->import);
   add_output_options(*command, arguments->output);
-  command->callback(
-      [arguments, &run] { run = [arguments](const Console& console) { run_study(*arguments, console); }; });
+  command->callback([arguments, runs, &run] {
+    if (runs->count() > 0) arguments->kosanam.runs = static_cast<int>(arguments->options.runs);
+    run = [arguments](const Console& console) { run_study(*arguments, console); };
+  });
 }
 
 }  // namespace ehm::tuner_design

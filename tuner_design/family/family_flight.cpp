@@ -54,8 +54,8 @@ sim::Scenario at_the_point(const FamilyFleet& fleet, RandomStream& random, std::
 
 sim::Scenario scenario_of(const FamilyFleet& fleet, std::uint64_t seed, std::size_t index) {
   if (fleet.what == FamilyCase::flight)
-    return mission_scenario(std::make_shared<const sim::EngineDefinition>(fleet.engine), fleet.step_s, {.seed = seed},
-                            index);
+    return mission_scenario(std::make_shared<const sim::EngineDefinition>(fleet.engine), fleet.step_s,
+                            {.seed = seed, .mismatch = {}, .step = {}, .bias = {}}, index);
   RandomStream random(seed, index);
   return at_the_point(fleet, random, index);
 }

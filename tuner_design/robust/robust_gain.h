@@ -7,7 +7,7 @@
 // and with both noises known up to relative uncertainties s1, s2 of their power the objective is expected error and the
 // variation of it,
 //   J = rho1 (V1 + V2) + rho2 (s1^2 V1^2 + s2^2 V2^2)
-// Kosanam minimises it over K by a genetic algorithm. Its gradient, with L = F^T L F + W and c_i = rho1 + 2 rho2 s_i^2 V_i,
+// Kosanam minimises it over K by a descent with differences. Its gradient, with L = F^T L F + W and c_i = rho1 + 2 rho2 s_i^2 V_i,
 //   dJ/dK = -2 A^T L F X C^T + 2 c2 A^T L A K R,   X = c1 X1 + c2 X2
 // vanishes where X C^T = K (C X C^T + c2 R): the equation of the Kalman filter for (c1 Q, c2 R). So the optimal robust
 // gain is the Kalman gain for (Q, mu R), mu the root of one scalar equation whose right side falls with mu,

@@ -150,6 +150,30 @@ TEST(Checkpoint, WhatAFlightHasTaughtSoFarIsKeptAndChecked) {
   EXPECT_THAT(message(with_hash(j)), HasSubstr("companions.onboard.learned"));
 }
 
+TEST(Checkpoint, WhatAConstraintHoldsIsKeptBesideTheStateAndChecked) {
+  Checkpoint before = test::some_checkpoint();
+  estimation::EstimatorState state = before.state.companions.front().state;
+  EXPECT_EQ(to_text(before).find("constrained"), std::string::npos);
+  state.constrained = {Eigen::VectorXd::LinSpaced(3, -0.01, 0.02), Eigen::VectorXd::LinSpaced(3, -1.0 / 3.0, 0.1),
+                       Eigen::VectorXd::Constant(3, 0.9)};
+  before.state.companions.front() = {"constrained", state};
+  const Checkpoint after = parse_checkpoint(to_text(before), "some.json");
+  const estimation::ConstrainedState& kept = after.state.companions.front().state.constrained;
+  EXPECT_EQ(after.state.companions.front().name, "constrained");
+  EXPECT_EQ(kept.bound, state.constrained.bound);
+  EXPECT_EQ(kept.health, state.constrained.health);
+  EXPECT_EQ(kept.sigma_share, state.constrained.sigma_share);
+
+  json j = json::parse(to_text(before));
+  j["companions"]["constrained"]["constrained"]["health"] = {1.0, 2.0};
+  EXPECT_THAT(message(with_hash(j)), HasSubstr("companions.constrained.constrained.health"));
+  j = json::parse(to_text(before));
+  j["companions"]["constrained"]["constrained"]["surplus"] = 1;
+  EXPECT_THAT(message(with_hash(j)), HasSubstr("companions.constrained.constrained.surplus"));
+  j["companions"]["constrained"]["constrained"] = 3;
+  EXPECT_THAT(message(with_hash(j)), HasSubstr("companions.constrained.constrained"));
+}
+
 TEST(Checkpoint, OneOfTheVersionBeforeIsReadWithItsCompanions) {
   json j = json::parse(to_text(test::some_checkpoint()));
   j["schema"] = "ehm-checkpoint/2";

@@ -27,6 +27,7 @@ TEST(AllocationOfTheOnBoardEstimator, NoneWithAnAnswerOrWithout) {
     estimator.innovate(samples[k].first, now);
     estimator.update(flight.fused, 1);
     estimator.widen(1.0 + 0.001 * static_cast<double>(k));
+    if (k % 50 == 49) estimator.correct_health(estimator.health_covariance().diagonal());
   }
   const estimation::Learned learned = estimator.learned();
   estimator.next_flight(0.05);

@@ -96,6 +96,27 @@ TEST(OnBoardEstimator, OnTheGroundAtIdleItFollowsTheSpeedsAndLearnsNothing) {
             5.0 * std::sqrt(flight.estimator.innovation().variance(0)));
 }
 
+// What the suite of the estimators at a point asks of them (../estimation/estimator_test.cpp).
+TEST(OnBoardEstimator, StatesItsCovarianceAndGoesOnFromACorrectedHealth) {
+  OnBoardFlight flight({.seed = 15});
+  while (flight.time_s() < 700.0) flight.next();
+  OnBoardEstimator& estimator = flight.estimator;
+  const estimation::Estimate before = estimator.estimate();
+  const estimation::HealthCovariance covariance = estimator.health_covariance();
+  for (Eigen::Index i = 0; i < before.health.size(); ++i)
+    EXPECT_NEAR(std::sqrt(covariance(i, i)), before.health_sigma(i), 1e-12) << i;
+  estimation::HealthVector wanted = before.health;
+  wanted(4) -= 0.3 * before.health_sigma(4);
+  ASSERT_TRUE(estimator.correct_health(wanted));
+  EXPECT_LT((estimator.estimate().health - wanted).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_EQ(estimator.estimate().health_sigma, before.health_sigma);
+  flight.next();
+  EXPECT_TRUE(estimator.estimate().holds);
+  EXPECT_LT(estimator.estimate().health(4), before.health(4) - 0.1 * before.health_sigma(4));
+  EXPECT_LT(errors_of(flight).health, 4.5);
+  EXPECT_LT(errors_of(flight).auxiliary, 5.0);
+}
+
 TEST(OnBoardEstimator, ASecondWithoutAnAnswerStartsItCold) {
   OnBoardFlight flight({.seed = 14});
   while (flight.time_s() < 900.0) flight.next();
