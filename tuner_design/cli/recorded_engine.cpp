@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/recorded_engine.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,6 @@
 #include <vector>
 
 #include "deploy/runtime/config/config_error.h"
-#include "deploy/runtime/files/csv_table.h"
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/numbers/index.h"
 #include "deploy/runtime/recording/row_source.h"
@@ -137,8 +138,8 @@ class EngineReader {
   void require_sample_time() const {
     const double usual_s = usual_step_s();
     if (usual_s == 0.0 || std::abs(usual_s / model_.sample_time_s - 1.0) <= sample_time_tolerance) return;
-    throw FileError(file_ + ": a sample each " + files::shortest(usual_s) + " s, the model is made for " +
-                    files::shortest(model_.sample_time_s) +
+    throw FileError(file_ + ": a sample each " + fmt::format("{:.6g}", usual_s) + " s, the model is made for " +
+                    fmt::format("{:.6g}", model_.sample_time_s) +
                     " s; allowed is 10 % more or less. Resample the record, or give the model that sample time");
   }
 

@@ -81,7 +81,7 @@ IdentifiedVariance identified(const WhittleFit& fit, Index group) {
     v.low = v.value * nu / monitor::chi_square_quantile(nu, two_sided_95);
     v.high = v.value * nu / monitor::chi_square_quantile(nu, -two_sided_95);
   } else {
-    v.high = v.value + one_sided_95 * v.standard_error;
+    v.high = upper_end(fit, group, one_sided_95);
   }
   return v;
 }

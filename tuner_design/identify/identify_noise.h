@@ -11,9 +11,8 @@
 // can be told: m sensors have m (m + 1) / 2 covariances.
 //
 // A variance is told if its standard error is at most half of it; then its 95 % interval is that of a chi-square with
-// nu = 2 (variance / standard error)^2 degrees of freedom. Else only the upper end is stated, variance + 1.645 standard
-// errors. What cannot be told apart shows there: its standard error is large, and its correlation with another's is
-// near -1.
+// nu = 2 (variance / standard error)^2 degrees of freedom. Else only the upper end is stated (upper_end, 1.645 sigma).
+// What cannot be told apart shows there: its standard error is large, and its correlation with another's is near -1.
 // Units: percent of trim and percent of health, squared, per sample (scaling.h).
 //
 // @throws std::invalid_argument if fewer than 2000 samples are steady (says what the others are), or if a sensor reads

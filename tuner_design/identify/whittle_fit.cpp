@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int most_iterations = 200, most_halvings = 20;
+constexpr int most_iterations = 200, most_halvings = 20, most_doublings = 60, bisections = 30;
 constexpr double settled = 1e-7, least_share = 1e-9, least_eigenvalue = 1e-12;
 
 double deviance_of(const std::vector<SpectralBand>& bands, const NoiseGroups& groups, const VectorXd& theta) {
@@ -73,25 +73,48 @@ MatrixXcd spectrum(const SpectralBand& band, const NoiseGroups& groups, const Ve
   return sum;
 }
 
+namespace {
+
+/// Of a positive semidefinite matrix; a direction that it does not hold gets a very large value.
+MatrixXd inverse_of(const MatrixXd& F) {
+  const VectorXd scale = F.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(scale.asDiagonal() * F * scale.asDiagonal()));
+  const MatrixXd vectors = scale.asDiagonal() * eigen.eigenvectors();
+  return vectors * eigen.eigenvalues().cwiseMax(least_eigenvalue).cwiseInverse().asDiagonal() * vectors.transpose();
+}
+
 void add_uncertainty(WhittleFit& fit) {
   std::vector<Index> free;
   for (Index g = 0; g < fit.theta.size(); ++g)
     if (fit.theta(g) > 0.0) free.push_back(g);
-  const VectorXd scale = fit.information.diagonal().cwiseSqrt().cwiseInverse();
-  const MatrixXd F = scale.asDiagonal() * fit.information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(F(free, free)));
-  const MatrixXd inverse = eigen.eigenvectors() *
-                           eigen.eigenvalues().cwiseMax(least_eigenvalue).cwiseInverse().asDiagonal() *
-                           eigen.eigenvectors().transpose();
-  fit.covariance = MatrixXd::Zero(F.rows(), F.cols());
-  fit.covariance(free, free) = scale(free).asDiagonal() * inverse * scale(free).asDiagonal();
-  fit.standard_error = fit.covariance.diagonal().cwiseSqrt();
-  for (Index g = 0; g < fit.theta.size(); ++g) {
-    if (fit.theta(g) > 0.0) continue;
-    const VectorXd coupling = F(free, g);
-    const double own = F(g, g) - coupling.dot(inverse * coupling);
-    fit.standard_error(g) = scale(g) / std::sqrt(std::max(own, least_eigenvalue));
+  fit.standard_error = inverse_of(fit.information).diagonal().cwiseSqrt();
+  fit.covariance = MatrixXd::Zero(fit.theta.size(), fit.theta.size());
+  fit.covariance(free, free) = inverse_of(fit.information(free, free));
+}
+
+}  // namespace
+
+double upper_end(const WhittleFit& fit, Index group, double sigmas) {
+  std::vector<Index> others;
+  for (Index g = 0; g < fit.theta.size(); ++g)
+    if (g != group) others.push_back(g);
+  const MatrixXd& F = fit.information;
+  const MatrixXd F_others = F(others, others);
+  const VectorXd coupling = F(others, group), b_others = fit.right(others);
+  /// 1/2 theta^T F theta - b^T theta, least over the others
+  const auto least = [&](double value) {
+    const VectorXd right = b_others - value * coupling, rest = nonnegative_fit(F_others, right);
+    return 0.5 * rest.dot(F_others * rest) - right.dot(rest) +
+           value * (0.5 * F(group, group) * value - fit.right(group));
+  };
+  const double allowed = least(fit.theta(group)) + 0.5 * sigmas * sigmas;
+  double low = fit.theta(group), high = low + sigmas / std::sqrt(F(group, group));
+  for (int i = 0; i < most_doublings && least(high) < allowed; ++i) high = low + 2.0 * (high - low);
+  for (int i = 0; i < bisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (least(middle) < allowed ? low : high) = middle;
   }
+  return high;
 }
 
 WhittleFit whittle_fit(const std::vector<SpectralBand>& bands, const NoiseGroups& groups, const VectorXd& start) {
@@ -117,7 +140,9 @@ WhittleFit whittle_fit(const std::vector<SpectralBand>& bands, const NoiseGroups
     fit.deviance = deviance;
     if (share == 1.0 && gain < settled) break;
   }
-  fit.information = normal_equations(bands, groups, fit.theta).F;
+  const NormalEquations equations = normal_equations(bands, groups, fit.theta);
+  fit.information = equations.F;
+  fit.right = equations.b;
   add_uncertainty(fit);
   return fit;
 }

@@ -13,7 +13,7 @@
 // the autocovariance least squares of Odelson, Rajamani & Rawlings (Automatica 42 (2006) 303) after a Fourier
 // transform, in which the weight, there a matrix of the fourth moments of all lags that is too large to build, falls
 // apart into one small matrix a frequency. The optimum is Whittle's estimate (Ark. Mat. 2 (1953) 423), which no other estimate of
-// a Gaussian process beats in the long run. cov(theta) = F^-1 over those that are not 0.
+// a Gaussian process beats in the long run. cov(theta) = F^-1.
 // Errors: none; every sensor's own noise must have a group, so that S_b is positive definite.
 
 #include <vector>
@@ -32,9 +32,10 @@ Eigen::MatrixXcd spectrum(const SpectralBand& band, const NoiseGroups& groups, c
 
 struct WhittleFit {
   Eigen::VectorXd theta;           ///< variances, by group
-  Eigen::VectorXd standard_error;  ///< of one at 0: of what it would be if it were free
+  Eigen::VectorXd standard_error;  ///< with all others free, those at 0 too: what cannot be told apart has a large one
   Eigen::MatrixXd information;     ///< F at theta
-  Eigen::MatrixXd covariance;      ///< of theta; rows of those at 0 are 0
+  Eigen::VectorXd right;           ///< b at theta
+  Eigen::MatrixXd covariance;      ///< F^-1 over those above 0; rows of those at 0 are 0
   double deviance = 0.0;
   int iterations = 0;
 };
@@ -42,8 +43,8 @@ struct WhittleFit {
 /// From `start`, all above 0.
 WhittleFit whittle_fit(const std::vector<SpectralBand>& bands, const NoiseGroups& groups, const Eigen::VectorXd& start);
 
-/// Inverse of the information of those that are above 0, and what stands for the others' standard errors. A direction
-/// that is not told at all gets a standard error of a million times itself.
-void add_uncertainty(WhittleFit& fit);
+/// The largest value of one variance that is within so many standard deviations of the fit, where the others make room
+/// for it as far as 0 lets them: 1/2 theta^T F theta - b^T theta has grown by sigmas^2 / 2, least over the others.
+double upper_end(const WhittleFit& fit, Eigen::Index group, double sigmas);
 
 }  // namespace ehm::tuner_design

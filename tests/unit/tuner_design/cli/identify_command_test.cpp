@@ -170,6 +170,7 @@ TEST(IdentifyCommand, ReadsACsvFileInItsOwnUnitsAndCutsItWhereTimeJumps) {
   }
   table.close();
   std::ofstream(map) << R"([file]
+separator = "comma"
 header = true
 time_column = "t"
 seconds_per_unit = 1.0

@@ -60,7 +60,7 @@ TEST(IdentifyNoise, IntervalsHoldTheTruthAsOftenAsStated) {
   const auto model = cruise();
   int held = 0, all = 0;
   VectorXd mean = VectorXd::Zero(10);
-  constexpr int records = 60;
+  constexpr int records = 40;
   for (int i = 0; i < records; ++i) {
     const test::KnownNoise noise = test::noise_of(model, 1e-4);
     const auto pairs = beside_truth(identified(model, noise, 8000, 1000 + as_size(i)), noise);
@@ -72,11 +72,11 @@ TEST(IdentifyNoise, IntervalsHoldTheTruthAsOftenAsStated) {
       mean(as_index(j)) += found.value / truth / records;
     }
   }
-  // 600 intervals of 95 %: standard error 0.9 %
-  EXPECT_NEAR(static_cast<double>(held) / all, 0.95, 0.027);
+  // 400 intervals of 95 %: standard error 1.1 %
+  EXPECT_NEAR(static_cast<double>(held) / all, 0.95, 0.03);
   RecordProperty("held", held);
   for (Index j = 0; j < 7; ++j) EXPECT_NEAR(mean(j), 1.0, 0.01);
-  for (Index j = 7; j < 10; ++j) EXPECT_NEAR(mean(j), 1.0, 0.10);  // one record scatters by 13 to 27 %
+  for (Index j = 7; j < 10; ++j) EXPECT_NEAR(mean(j), 1.0, 0.12);  // one record scatters by 13 to 27 %
 }
 
 TEST(IdentifyNoise, AConstantEngineHasNoWalkAndItsUpperEndHoldsThat) {
