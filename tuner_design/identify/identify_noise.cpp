@@ -227,12 +227,15 @@ LinearModel with_identified_noise(const LinearModel& model, const IdentifiedNois
     if (const auto& variance = noise.sensors[i])
       result.sensor_noise_sigma(as_index(i)) = std::sqrt(variance->value) * noise.scaling.sensor(as_index(i));
   for (std::size_t t = 0; t < noise.motion.size(); ++t) {
-    if (!noise.motion[t].told) continue;
+    const IdentifiedVariance& found = noise.motion[t];
     const Index state = noise.motion_terms[t].channel;
+    const double scale = state < 0 ? 1.0 : std::pow(noise.scaling.state(state), 2);
+    const double models = state < 0 ? 1.0 : model.process_noise(state, state);
+    const double variance = found.told ? scale * found.value : std::min(models, scale * found.high);
     if (state < 0)
-      result.process_noise *= noise.motion[t].value;
+      result.process_noise *= variance;
     else
-      result.process_noise(state, state) = noise.motion[t].value * std::pow(noise.scaling.state(state), 2);
+      result.process_noise(state, state) = variance;
   }
   return result;
 }

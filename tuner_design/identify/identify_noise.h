@@ -60,7 +60,8 @@ struct IdentifiedNoise {
 IdentifiedNoise identify_noise(const RecordedSamples& record, const linear_model::LinearModel& model,
                                const monitor::ValidityOptions& validity);
 
-/// `model`, as it was given to identify_noise, with what was told in the place of its own noise.
+/// `model`, as it was given to identify_noise, with what was told in the place of its own noise. Of a motion that is not
+/// told it keeps its own, or takes the upper end where that is less.
 linear_model::LinearModel with_identified_noise(const linear_model::LinearModel& model, const IdentifiedNoise& noise);
 
 }  // namespace ehm::tuner_design

@@ -82,16 +82,18 @@ void print_samples(const IdentifiedNoise& noise, const IdentifySource& source, s
       out << fmt::format("  not used    {}: a tenth of its values or more are missing\n", noise.model.sensors[i].name);
 }
 
-void print_sigmas(const std::vector<Shown>& rows, std::ostream& out) {
+void print_sigmas(const char* title, const std::vector<Shown>& rows, std::ostream& out) {
+  out << fmt::format("\n{:<24}{:<15}{:>11}{:>12}    {:<12}{:>9}{:>12}{:>7}\n", title, "unit", "sigma", "95 %", "",
+                     "percent", "model's", "ratio");
   for (const Shown& r : rows) {
-    const std::string beside =
-        r.models > 0.0 ? fmt::format("{:>12.4g}{:>8.2f}", r.models, r.sigma / r.models) : fmt::format("{:>12}", "none");
+    out << fmt::format("  {:<22}{:<15}", r.name, r.unit);
     if (r.told)
-      out << fmt::format("  {:<22}{:<16}{:>12.4g}{:>12.4g} .. {:<12.4g}{:>10.4f}{}\n", r.name, r.unit, r.sigma, r.low,
-                         r.high, r.percent, beside);
+      out << fmt::format("{:>11.4g}{:>12.4g} .. {:<12.4g}{:>9.4f}", r.sigma, r.low, r.high, r.percent);
     else
-      out << fmt::format("  {:<22}{:<16}{:>12}{:>16}{:<12.4g}{:>10}{:>12.4g}\n", r.name, r.unit, "not told", "below ",
-                         r.high, "", r.models);
+      out << fmt::format("{:>11}{:>12}    {:<12.4g}{:>9}", "not told", "below", r.high, "");
+    out << (r.models > 0.0 ? fmt::format("{:>12.4g}", r.models) : fmt::format("{:>12}", "none"));
+    if (r.told && r.models > 0.0) out << fmt::format("{:>7.2f}", r.sigma / r.models);
+    out << '\n';
   }
 }
 
@@ -112,7 +114,7 @@ void print_walks(const IdentifiedNoise& noise, std::ostream& out) {
     if (w.variance.told)
       out << fmt::format("{:>12.3g}{:>12.3g} .. {:<12.3g}", w.variance.value, w.variance.low, w.variance.high);
     else
-      out << fmt::format("{:>12}{:>16}{:<12.3g}", "not told", "below ", w.variance.high);
+      out << fmt::format("{:>12}{:>12}    {:<12.3g}", "not told", "below", w.variance.high);
     if (w.alike >= 0)
       out << fmt::format("most like {} ({:.2f})", noise.model.health[as_size(w.alike)].name, w.correlation);
     out << '\n';
@@ -142,21 +144,15 @@ void print_remarks(const IdentifiedNoise& noise, std::ostream& out) {
 }
 
 void print_advice(const IdentifiedNoise& noise, const IdentifySource& source, std::ostream& out) {
-  out << "\nInto a design\n";
   const std::string model = source.out.empty() ? "M.json" : source.out;
-  out << (source.out.empty()
-              ? "  --out M.json writes the model with these sigmas of the sensors, and of the states that are told\n"
-              : fmt::format("  {} is the model with these sigmas of the sensors, and of the states that are told\n",
-                            source.out));
-  if (noise.walk.told)
-    out << fmt::format(
-        "  tuner_design design --model {} --qh {:.3g} ... follows health as fast as it walks; a larger --qh answers "
-        "faster\n",
-        model, noise.walk.value);
-  else
-    out << fmt::format(
-        "  tuner_design design --model {} ...; choose --qh by the time the filter may take, health walks slower\n",
-        model);
+  out << fmt::format(
+      "\nInto a design\n  {} the model with this R and Q; of a state that is not told the model's, or the "
+      "upper end where that is less\n",
+      source.out.empty() ? "--out M.json writes" : model + " is");
+  out << fmt::format("  tuner_design design --model {} --out D.json", model);
+  out << (noise.walk.told
+              ? fmt::format(" --qh {:.3g}: as fast as health walks; a larger --qh answers faster\n", noise.walk.value)
+              : ": with --qh by the time the filter may take, since health walks slower\n");
 }
 
 Json variance_as_json(const IdentifiedVariance& v) {
@@ -208,12 +204,8 @@ Json fit_as_json(const IdentifiedNoise& noise) {
 
 void print_identified(const IdentifiedNoise& noise, const IdentifySource& source, std::ostream& out) {
   print_samples(noise, source, out);
-  out << fmt::format("\n  {:<22}{:<16}{:>12}{:>12}    {:<12}{:>10}{:>12}{:>8}\n", "sigma of one sample", "unit",
-                     "sigma", "95 %", "", "percent", "model's", "ratio");
-  out << "Sensor noise R\n";
-  print_sigmas(shown_sensors(noise), out);
-  out << "Process noise Q\n";
-  print_sigmas(shown_motion(noise), out);
+  print_sigmas("Sensor noise R", shown_sensors(noise), out);
+  print_sigmas("Process noise Q", shown_motion(noise), out);
   print_walks(noise, out);
   print_remarks(noise, out);
   print_advice(noise, source, out);

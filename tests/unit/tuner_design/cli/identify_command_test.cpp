@@ -122,36 +122,65 @@ TEST(IdentifyCommand, TakesTheModelOfADesign) {
   EXPECT_THAT(result.out, HasSubstr("engine 2"));
 }
 
-/// The R of a nonlinear engine in flight at one point, with its control at work, by the model that is made of it.
-TEST(IdentifyCommand, FindsROfOurOwnEngineWithin5Percent) {
-  const auto engine = engine_sim::default_engine();
-  LineariseOptions options;
-  options.flight = {10668.0, 0.8, 0.0};
-  options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
-  options.fleet = 0;
-  const auto model = linearise(engine, options).model;
-  const std::string model_path = test::temporary_path("identify_cruise.json");
-  linear_model::write_model(model, model_path);
-  engine_sim::Simulation simulation(engine_sim::Scenario{});
-  RecordingFile file("identify_cruise.h5", model);
-  for (int k = 0; k < 16000; ++k) {
-    const engine_sim::EngineSample sample = simulation.next_sample();
-    Eigen::VectorXd sensors(as_index(sample.sensors.size()));
-    for (std::size_t i = 0; i < sample.sensors.size(); ++i) sensors(as_index(i)) = sample.sensors[i].value;
-    file.add(1, k, Eigen::Vector3d(sample.flight.altitude_m, sample.flight.mach, sample.flight.delta_isa_k),
-             Eigen::Map<const Eigen::VectorXd>(sample.actuators.data(), as_index(sample.actuators.size())), sensors);
+/// Our own nonlinear engine in flight at cruise, its control at work, and the model that is made of it there.
+class IdentifyOurOwnEngine : public ::testing::Test {
+ protected:
+  IdentifyOurOwnEngine() {
+    LineariseOptions options;
+    options.flight = {10668.0, 0.8, 0.0};
+    options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
+    options.fleet = 0;
+    model_ = linearise(engine_sim::default_engine(), options).model;
+    linear_model::write_model(model_, model_path_);
   }
-  const auto result = run({"identify", "--recording", file.finished(), "--model", model_path, "--json"});
-  ASSERT_EQ(result.code, 0) << result.err;
-  const auto json = nlohmann::json::parse(result.out);
+
+  nlohmann::json identified(const engine_sim::Scenario& scenario, int samples) const {
+    engine_sim::Simulation simulation(scenario);
+    RecordingFile file("identify_cruise.h5", model_);
+    for (int k = 0; k < samples; ++k) {
+      const engine_sim::EngineSample sample = simulation.next_sample();
+      Eigen::VectorXd sensors(as_index(sample.sensors.size()));
+      for (std::size_t i = 0; i < sample.sensors.size(); ++i) sensors(as_index(i)) = sample.sensors[i].value;
+      file.add(1, k, Eigen::Vector3d(sample.flight.altitude_m, sample.flight.mach, sample.flight.delta_isa_k),
+               Eigen::Map<const Eigen::VectorXd>(sample.actuators.data(), as_index(sample.actuators.size())), sensors);
+    }
+    const auto result = run({"identify", "--recording", file.finished(), "--model", model_path_, "--json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  }
+  void expect_sensors_within_5_percent(const nlohmann::json& json) const {
+    for (std::size_t i = 0; i < model_.sensors.size(); ++i) {
+      const auto& sensor = json.at("sensors")[i];
+      const double ratio = sensor.at("sigma").get<double>() / model_.sensor_noise_sigma(as_index(i));
+      EXPECT_NEAR(ratio * ratio, 1.0, 0.05) << sensor.dump();
+    }
+  }
+
+  linear_model::LinearModel model_;
+  std::string model_path_ = test::temporary_path("identify_cruise.json");
+};
+
+TEST_F(IdentifyOurOwnEngine, RIsWithin5PercentAndAConstantEngineDoesNotWalk) {
+  const auto json = identified({}, 16000);
   EXPECT_EQ(json.at("samples").at("used"), 16000);
-  for (std::size_t i = 0; i < model.sensors.size(); ++i) {
-    const auto& sensor = json.at("sensors")[i];
-    const double variance_ratio = std::pow(sensor.at("sigma").get<double>() / model.sensor_noise_sigma(as_index(i)), 2);
-    EXPECT_NEAR(variance_ratio, 1.0, 0.05) << sensor.dump();
-  }
-  EXPECT_FALSE(json.at("walk_percent2").at("told"));  // health is constant in this flight
+  expect_sensors_within_5_percent(json);
+  EXPECT_FALSE(json.at("walk_percent2").at("told"));
   EXPECT_TRUE(json.at("remarks").empty()) << json.at("remarks").dump();
+}
+
+/// Health steps at random each 32 samples: below 1 Hz, where a walk is seen, that is a walk.
+TEST_F(IdentifyOurOwnEngine, TheWalkOfItsHealthIsWithin30Percent) {
+  constexpr double walk_percent2 = 2e-5;
+  constexpr int samples = 40000, apart = 32;
+  test::Random random(9);
+  engine_sim::Scenario scenario;
+  for (int k = 0; k < samples; k += apart)
+    for (std::size_t i = 0; i < engine_sim::health_count; ++i)
+      scenario.health_changes.push_back({0.015 * k, i, 0.01 * std::sqrt(walk_percent2 * apart) * random.normal(), 0.0});
+  const auto json = identified(scenario, samples);
+  expect_sensors_within_5_percent(json);
+  EXPECT_TRUE(json.at("walk_percent2").at("told"));
+  EXPECT_NEAR(json.at("walk_percent2").at("value").get<double>() / walk_percent2, 1.0, 0.30);
 }
 
 TEST(IdentifyCommand, ReadsACsvFileInItsOwnUnitsAndCutsItWhereTimeJumps) {

@@ -184,7 +184,7 @@ TEST(IdentifyNoise, HeldAndRoundedSensorsGiveTheVarianceThatTheFilterCountsWith)
   EXPECT_NEAR(sigma / linear_model::counted_sigma(model, 3, own), 1.0, 0.04);
 }
 
-TEST(IdentifyNoise, WritesWhatWasToldIntoTheModelAndKeepsTheRest) {
+TEST(IdentifyNoise, WritesWhatWasToldIntoTheModelAndNoMoreThanTheUpperEndOfTheRest) {
   const auto model = cruise();
   test::KnownNoise noise = test::noise_of(model, 0.0);
   noise.sensors *= 2.0;
@@ -195,7 +195,8 @@ TEST(IdentifyNoise, WritesWhatWasToldIntoTheModelAndKeepsTheRest) {
   for (Index i = 0; i < 7; ++i) EXPECT_NEAR(written.sensor_noise_sigma(i) / model.sensor_noise_sigma(i), 2.0, 0.05);
   EXPECT_NEAR(written.process_noise(0, 0) / model.process_noise(0, 0), 9.0, 2.7);
   EXPECT_FALSE(found.motion[1].told);
-  EXPECT_EQ(written.process_noise(1, 1), model.process_noise(1, 1));
+  EXPECT_GT(written.process_noise(1, 1), 0.0);
+  EXPECT_LT(written.process_noise(1, 1), 0.3 * model.process_noise(1, 1));
 }
 
 TEST(IdentifyNoise, TheSameRecordGivesTheSameBits) {
