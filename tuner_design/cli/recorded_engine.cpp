@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <set>
 #include <vector>
@@ -23,6 +22,7 @@ using Eigen::Index;
 using files::FileError;
 using recording::Row;
 
+constexpr std::int64_t most_lost = 3;
 constexpr double sample_time_tolerance = 0.1, longest_step = 1.5, stray_step = 3.0;
 
 /// Where a channel of the model stands in a row, and how its value becomes the model's.
@@ -95,6 +95,7 @@ class EngineReader {
       ++not_accepted_;
       return;
     }
+    if (!sequence_.empty()) add_lost(row.a.sequence - sequence_.back() - 1, row.a.source_time_ns);
     sequence_.push_back(row.a.sequence);
     time_ns_.push_back(row.a.source_time_ns);
     flight_.insert(flight_.end(), row.w.begin(), row.w.begin() + recording::flight_channels);
@@ -102,7 +103,20 @@ class EngineReader {
       control_.push_back(place.conversion(row.w[recording::flight_channels + place.at]));
     for (const Place& place : sensors_) {
       const bool valid = (row.a.sensor_valid >> place.at & 1) != 0 && std::isfinite(row.x_s[place.at]);
-      sensor_.push_back(valid ? place.conversion(row.x_s[place.at]) : std::numeric_limits<double>::quiet_NaN());
+      sensor_.push_back(valid ? place.conversion(row.x_s[place.at]) : recording::no_value);
+    }
+  }
+
+  /// Samples that the sequence numbers say were lost, as samples without values; many are a gap.
+  void add_lost(std::int64_t count, std::int64_t now_ns) {
+    if (count < 1 || count > most_lost) return;
+    const std::int64_t step_ns = (now_ns - time_ns_.back()) / (count + 1);
+    for (std::int64_t i = 0; i < count; ++i) {
+      sequence_.push_back(sequence_.back() + 1);
+      time_ns_.push_back(time_ns_.back() + step_ns);
+      flight_.resize(flight_.size() + recording::flight_channels, recording::no_value);
+      control_.resize(control_.size() + controls_.size(), recording::no_value);
+      sensor_.resize(sensor_.size() + sensors_.size(), recording::no_value);
     }
   }
 

@@ -2,7 +2,8 @@
 #pragma once
 // One engine of a recording, or of a CSV file by a column map, in a model's channels and units. Sensors and actuators
 // are found by their names, in any order; others are passed over. Samples that the monitor did not accept (malformed,
-// duplicate, overtaken, foreign) are left out. Two samples follow each other if their sequence numbers do; in a CSV
+// duplicate, overtaken, foreign) are left out; up to three in a row that were lost become samples without values. Two
+// samples follow each other if their sequence numbers do; in a CSV
 // file, whose rows are numbered as they stand, also if the time between them is at most 1.5 sample times, unless its
 // clock is coarse (column_map.h).
 

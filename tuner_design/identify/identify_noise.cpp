@@ -13,6 +13,7 @@
 #include "monitor/diagnosis/quantiles.h"
 #include "monitor/estimation/linear/lyapunov.h"
 #include "tuner_design/identify/model_residual.h"
+#include "tuner_design/identify/short_holes.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -149,8 +150,11 @@ void tell_apart(const WhittleFit& fit, Index first, IdentifiedNoise& result) {
 
 void remark(std::vector<NoiseCheck> checks, IdentifiedNoise& result) {
   const double z = monitor::normal_quantile_above(0.5 * false_remark / static_cast<double>(checks.size()));
+  // A mended value is correlated by a half with each of its two neighbours.
+  const double least = least_correlation + 2.0 * static_cast<double>(result.mended) /
+                                               static_cast<double>(std::max(Index{1}, result.selection.recorded));
   for (NoiseCheck check : checks) {
-    if (std::abs(check.correlation) < std::max(least_correlation, z * check.standard_error)) continue;
+    if (std::abs(check.correlation) < std::max(least, z * check.standard_error)) continue;
     check.sensor = result.selection.sensors[as_size(check.sensor)];
     check.other = result.selection.sensors[as_size(check.other)];
     result.checks.push_back(check);
@@ -198,9 +202,10 @@ void fit_noise(const std::vector<SpectralBand>& bands, const NoiseSpectra& spect
 
 }  // namespace
 
-IdentifiedNoise identify_noise(const RecordedSamples& record, const LinearModel& model,
+IdentifiedNoise identify_noise(RecordedSamples record, const LinearModel& model,
                                const monitor::ValidityOptions& validity) {
   IdentifiedNoise result;
+  result.mended = mend_short_holes(record);
   result.model = linear_model::discretise(model);
   result.scaling = linear_model::scaling_of(result.model);
   result.selection = select_steady(record, result.model, validity);

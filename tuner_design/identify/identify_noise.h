@@ -43,6 +43,7 @@ struct IdentifiedNoise {
   linear_model::LinearModel model;  ///< discrete, channel units
   linear_model::Scaling scaling;
   SteadySelection selection;
+  Eigen::Index mended = 0;                                 ///< samples (short_holes.h)
   std::vector<std::optional<IdentifiedVariance>> sensors;  ///< R; empty where a sensor is not used
   std::vector<NoiseTerm> motion_terms;
   std::vector<IdentifiedVariance> motion;  ///< Q of each; of channel -1 a factor on the model's Q
@@ -57,11 +58,11 @@ struct IdentifiedNoise {
 };
 
 /// `model` as it is in a file, with the record's channels.
-IdentifiedNoise identify_noise(const RecordedSamples& record, const linear_model::LinearModel& model,
+IdentifiedNoise identify_noise(RecordedSamples record, const linear_model::LinearModel& model,
                                const monitor::ValidityOptions& validity);
 
-/// `model`, as it was given to identify_noise, with what was told in the place of its own noise. Of a motion that is not
-/// told it keeps its own, or takes the upper end where that is less.
+/// `model`, as it was given to identify_noise, with what was told in the place of its own noise. Of a motion that is
+/// not told it keeps its own, or takes the upper end where that is less.
 linear_model::LinearModel with_identified_noise(const linear_model::LinearModel& model, const IdentifiedNoise& noise);
 
 }  // namespace ehm::tuner_design

@@ -12,8 +12,8 @@
 // That is covariance matching by least squares, linear in the variances, weighted by the covariance of what is matched:
 // the autocovariance least squares of Odelson, Rajamani & Rawlings (Automatica 42 (2006) 303) after a Fourier
 // transform, in which the weight, there a matrix of the fourth moments of all lags that is too large to build, falls
-// apart into one small matrix a frequency. The optimum is Whittle's estimate (Ark. Mat. 2 (1953) 423), which no other estimate of
-// a Gaussian process beats in the long run. cov(theta) = F^-1.
+// apart into one small matrix a frequency. The optimum is Whittle's estimate (Ark. Mat. 2 (1953) 423), which no other
+// estimate of a Gaussian process beats in the long run. cov(theta) = F^-1.
 // Errors: none; every sensor's own noise must have a group, so that S_b is positive definite.
 
 #include <vector>

@@ -68,13 +68,15 @@ void print_samples(const IdentifiedNoise& noise, const IdentifySource& source, s
   const SteadySelection& s = noise.selection;
   out << fmt::format("Noise of engine {} in {}, by the model of {} ({})\n", source.engine_id, source.recording,
                      source.model, noise.model.name);
-  out << fmt::format("  samples     {} accepted, {} used: {:.4g} s steady at the model's point, in {} piece{}\n",
+  out << fmt::format("  samples     {} recorded, {} used: {:.4g} s steady at the model's point, in {} piece{}\n",
                      s.recorded, s.used, static_cast<double>(s.used) * noise.model.sample_time_s, s.segments.size(),
                      s.segments.size() == 1 ? "" : "s");
   out << fmt::format(
       "  left out    {} without a value, {} off the point, {} moving to another, {} in pieces of fewer than {}; {} not "
       "accepted\n",
       s.missing, s.off_point, s.moving, s.too_short, s.least_length, source.not_accepted);
+  out << fmt::format("  mended      {} samples that lacked a value or were lost, from their neighbours\n",
+                     noise.mended);
   out << fmt::format("  cut at      {} gaps, {} jumps of a sensor\n", s.gaps, s.jumps);
   out << fmt::format("  looked at   motions from {:.3g} Hz up\n", hertz(noise, noise.lowest_rad));
   for (std::size_t i = 0; i < noise.sensors.size(); ++i)
@@ -225,9 +227,10 @@ Json identified_as_json(const IdentifiedNoise& noise, const IdentifySource& sour
           {"name", noise.model.name},
           {"engine_id", source.engine_id},
           {"samples",
-           {{"accepted", s.recorded},
+           {{"recorded", s.recorded},
             {"used", s.used},
             {"pieces", s.segments.size()},
+            {"mended", noise.mended},
             {"without_value", s.missing},
             {"off_point", s.off_point},
             {"moving", s.moving},

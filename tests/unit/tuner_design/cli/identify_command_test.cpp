@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "deploy/runtime/recording/writer.h"
 #include "engine_sim/linear_model/model_file.h"
@@ -46,12 +47,15 @@ class RecordingFile {
     std::copy(sensors.begin(), sensors.end(), row.x_s.begin());
     for (Eigen::Index i = 0; i < sensors.size(); ++i)
       if (std::isfinite(sensors(i))) row.a.sensor_valid |= std::int64_t{1} << i;
+    add(row);
+  }
+  void add(const recording::Row& row) {
     writer_.append(row, writer_.design_index("none"));
     if (writer_.pending() >= 1024) writer_.commit(false);
   }
-  void add(std::int64_t engine, const RecordedSamples& record) {
+  void add(std::int64_t engine, const RecordedSamples& record, const std::set<Eigen::Index>& lost = {}) {
     for (Eigen::Index k = 0; k < record.sensors.cols(); ++k)
-      add(engine, k, record.flight.col(k), record.controls.col(k), record.sensors.col(k));
+      if (!lost.contains(k)) add(engine, k, record.flight.col(k), record.controls.col(k), record.sensors.col(k));
   }
   std::string finished() {
     writer_.commit(true);
@@ -98,7 +102,7 @@ TEST(IdentifyCommand, PrintsTheSameNumbersAsTableAndJsonAndWritesTheModel) {
                                      "--engine-id", "1",           "--out",       out};
   const auto table = run(arguments);
   ASSERT_EQ(table.code, 0) << table.err;
-  EXPECT_THAT(table.out, HasSubstr("3000 accepted, 3000 used: 45 s steady"));
+  EXPECT_THAT(table.out, HasSubstr("3000 recorded, 3000 used: 45 s steady"));
   EXPECT_THAT(table.out, HasSubstr("nothing stands out among the sensors"));
   arguments.push_back("--json");
   const auto json = nlohmann::json::parse(run(arguments).out);
@@ -112,6 +116,26 @@ TEST(IdentifyCommand, PrintsTheSameNumbersAsTableAndJsonAndWritesTheModel) {
   }
   EXPECT_NEAR(json.at("walk_percent2").at("value").get<double>() / 1e-3, 1.0, 0.5);
   EXPECT_EQ(json.at("walks_percent2").size(), 6U);
+}
+
+TEST(IdentifyCommand, MendsLostSamplesCutsAtAGapAndCountsWhatWasNotAccepted) {
+  const auto model = test::made_up_model();
+  RecordingFile file("identify_lost.h5", model);
+  std::set<Eigen::Index> lost{100, 200, 201};
+  for (Eigen::Index k = 3000; k < 3010; ++k) lost.insert(k);
+  file.add(1, test::walking_engine(model, test::noise_of(model, 1e-3), 5000, 1), lost);
+  recording::Row duplicate;
+  duplicate.a.unit = 1;
+  duplicate.a.sequence = 4999;
+  file.add(duplicate);
+  const auto result = run({"identify", "--recording", file.finished(), "--model", made_up_on_disk(), "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto samples = nlohmann::json::parse(result.out).at("samples");
+  EXPECT_EQ(samples.at("recorded"), 4990);
+  EXPECT_EQ(samples.at("mended"), 3);
+  EXPECT_EQ(samples.at("gaps"), 1);
+  EXPECT_EQ(samples.at("pieces"), 2);
+  EXPECT_EQ(samples.at("not_accepted"), 1);
 }
 
 TEST(IdentifyCommand, TakesTheModelOfADesign) {
@@ -240,9 +264,8 @@ unit = "rpm"
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json.at("engine_id"), 3);
   EXPECT_EQ(json.at("samples").at("gaps"), 1);
-  EXPECT_EQ(json.at("samples").at("without_value"), 1);
+  EXPECT_EQ(json.at("samples").at("mended"), 1);
   EXPECT_EQ(json.at("samples").at("pieces"), 2);
-  EXPECT_EQ(json.at("samples").at("too_short"), 100);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(json.at("sensors")[i].at("sigma").get<double>() / model.sensor_noise_sigma(as_index(i)), 1.0, 0.08);
   const auto wrong = run({"identify", "--recording", csv, "--column-map", csv, "--model", made_up_on_disk()});

@@ -12,6 +12,7 @@
 #include "engine_sim/linear_model/sensor_noise.h"
 #include "tests/unit/tuner_design/identify/walking_engine.h"
 #include "tuner_design/identify/identify_noise.h"
+#include "tuner_design/identify/short_holes.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -197,6 +198,48 @@ TEST(IdentifyNoise, WritesWhatWasToldIntoTheModelAndNoMoreThanTheUpperEndOfTheRe
   EXPECT_FALSE(found.motion[1].told);
   EXPECT_GT(written.process_noise(1, 1), 0.0);
   EXPECT_LT(written.process_noise(1, 1), 0.3 * model.process_noise(1, 1));
+}
+
+TEST(IdentifyNoise, ALinkThatLosesOneSampleInAHundredCostsAPercent) {
+  const auto model = cruise();
+  const test::KnownNoise noise = test::noise_of(model, 1e-4);
+  RecordedSamples record = test::walking_engine(model, noise, 40000, 66);
+  test::Random random(67);
+  Index lost = 0;
+  for (Index k = 10; k < 39990; k += 10) {
+    if (random.uniform(0.0, 1.0) > 0.1) continue;
+    ++lost;
+    record.sensors.col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
+    record.controls.col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  const IdentifiedNoise found = identify_noise(record, model, {});
+  EXPECT_EQ(found.mended, lost);
+  EXPECT_EQ(found.selection.segments.size(), 1U);
+  for (std::size_t i = 0; i < 7; ++i)
+    EXPECT_NEAR(found.sensors[i]->value / std::pow(noise.sensors(as_index(i)), 2), 0.99, 0.04);
+  EXPECT_NEAR(found.walk.value / 1e-4, 1.0, 0.30);
+  for (const NoiseCheck& check : found.checks)
+    ADD_FAILURE() << check.sensor << " and " << check.other << ": " << check.correlation;
+}
+
+TEST(ShortHoles, AreMendedBetweenNeighboursButNotAcrossGapsNorWhereTheyAreManyOrLong) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  RecordedSamples record;
+  record.flight = Eigen::MatrixXd::Zero(3, 1000);
+  record.controls = Eigen::MatrixXd::Constant(1, 1000, 5.0);
+  record.sensors = Eigen::RowVectorXd::LinSpaced(1000, 0.0, 999.0).replicate(2, 1);
+  record.sensors.row(0).segment(10, 3).setConstant(nan);
+  record.sensors.row(0).segment(20, 4).setConstant(nan);  // too long
+  record.sensors(0, 30) = record.sensors(0, 0) = record.sensors(0, 999) = nan;
+  record.gap_after = {30};
+  record.sensors.row(1).head(30).setConstant(nan);  // 3 %
+  record.sensors(1, 500) = nan;
+  record.controls(0, 40) = nan;
+  EXPECT_EQ(mend_short_holes(record), 4);
+  for (const Index k : {10, 11, 12}) EXPECT_DOUBLE_EQ(record.sensors(0, k), static_cast<double>(k));
+  EXPECT_EQ(record.controls(0, 40), 5.0);
+  for (const Index k : {0, 20, 23, 30, 999}) EXPECT_TRUE(std::isnan(record.sensors(0, k))) << k;
+  EXPECT_TRUE(std::isnan(record.sensors(1, 500)));
 }
 
 TEST(IdentifyNoise, TheSameRecordGivesTheSameBits) {
