@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 using linear_model::LinearModel;
 
 constexpr double least_valid_share = 0.9, moving_distance = 0.1, jump_sigmas = 8.0;
-constexpr Index shortest_piece = 512, shortest_window = 64;
+constexpr double shortest_piece = 512.0, longest_piece = 4096.0, shortest_window = 64.0, longest_window = 512.0;
 
 enum class Fate : unsigned char { good, missing, off_point, moving, too_short };
 
@@ -44,8 +44,10 @@ class Selection {
         cut_after_(as_size(record.sensors.cols()), false) {
     const double slowest = slowest_samples(model.A);
     result_.recorded = record.sensors.cols();
-    result_.window = std::max(shortest_window, static_cast<Index>(std::ceil(5.0 * slowest)));
-    result_.least_length = std::max(shortest_piece, static_cast<Index>(std::ceil(12.0 * slowest)));
+    const auto samples = [](double count) { return static_cast<Index>(std::ceil(count)); };
+    result_.window = samples(std::clamp(2.0 * slowest, shortest_window, longest_window));
+    result_.settling = samples(5.0 * slowest);
+    result_.least_length = samples(std::clamp(12.0 * slowest, shortest_piece, longest_piece));
     result_.gaps = as_index(record.gap_after.size());
     for (const Index k : record.gap_after) cut_after_[as_size(k)] = true;
   }
@@ -140,10 +142,18 @@ class Selection {
       const Index begin = w * run.length / windows, end = (w + 1) * run.length / windows;
       return Span{run.begin + begin, end - begin};
     };
+    Span first = window(0);
     for (Index w = 1; w < windows; ++w) {
       const Span before = window(w - 1), now = window(w);
-      if (moved(before, now) <= moving_distance) continue;
-      std::fill_n(fate_.begin() + before.begin, before.length + now.length, Fate::moving);
+      if (moved(before, now) > moving_distance) {
+        const Index end = std::min(run.begin + run.length, now.begin + now.length + result_.settling);
+        std::fill(fate_.begin() + before.begin, fate_.begin() + end, Fate::moving);
+        first = now;
+      } else if (moved(first, now) > moving_distance) {
+        cut_after_[as_size(now.begin - 1)] = true;
+        ++result_.drifts;
+        first = now;
+      }
     }
   }
 

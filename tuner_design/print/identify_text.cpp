@@ -77,7 +77,8 @@ void print_samples(const IdentifiedNoise& noise, const IdentifySource& source, s
       s.missing, s.off_point, s.moving, s.too_short, s.least_length, source.not_accepted);
   out << fmt::format("  mended      {} samples that lacked a value or were lost, from their neighbours\n",
                      noise.mended);
-  out << fmt::format("  cut at      {} gaps, {} jumps of a sensor\n", s.gaps, s.jumps);
+  out << fmt::format("  cut at      {} gaps, {} jumps of a sensor, {} drifts of the point\n", s.gaps, s.jumps,
+                     s.drifts);
   out << fmt::format("  looked at   motions from {:.3g} Hz up\n", hertz(noise, noise.lowest_rad));
   for (std::size_t i = 0; i < noise.sensors.size(); ++i)
     if (!noise.sensors[i])
@@ -237,7 +238,8 @@ Json identified_as_json(const IdentifiedNoise& noise, const IdentifySource& sour
             {"too_short", s.too_short},
             {"not_accepted", source.not_accepted},
             {"gaps", s.gaps},
-            {"jumps", s.jumps}}},
+            {"jumps", s.jumps},
+            {"drifts", s.drifts}}},
           {"lowest_hz", hertz(noise, noise.lowest_rad)},
           {"sensors", rows_as_json(shown_sensors(noise))},
           {"states", rows_as_json(shown_motion(noise))},
