@@ -41,20 +41,21 @@ std::vector<std::pair<double, IdentifiedVariance>> beside_truth(const Identified
   return all;
 }
 
-TEST(IdentifyNoise, FindsRWithin5PercentAndQWithin30PercentInTenMinutes) {
+TEST(IdentifyNoise, FindsRWithin5PercentAndQWithin30PercentInTwentyMinutes) {
   const auto model = cruise();
   test::KnownNoise noise = test::noise_of(model, 1e-5);
   noise.sensors *= 1.3;  // not what the model says
   noise.motion *= 0.7;
-  const IdentifiedNoise found = identified(model, noise, 40000, 11);
+  const IdentifiedNoise found = identified(model, noise, 80000, 11);
   const auto pairs = beside_truth(found, noise);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     EXPECT_TRUE(pairs[i].second.told);
     EXPECT_NEAR(pairs[i].second.value / pairs[i].first, 1.0, i < 7 ? 0.05 : 0.30) << i;
+    EXPECT_LT(pairs[i].second.standard_error / pairs[i].second.value, i < 7 ? 0.01 : 0.15) << i;
   }
   EXPECT_TRUE(found.checks.empty());
   EXPECT_FALSE(found.walks_differ);
-  EXPECT_EQ(found.selection.used, 40000);
+  EXPECT_EQ(found.selection.used, 80000);
 }
 
 TEST(IdentifyNoise, IntervalsHoldTheTruthAsOftenAsStated) {
