@@ -13,6 +13,7 @@
 #include "tuner_design/cli/design_command.h"
 #include "tuner_design/cli/envelope_command.h"
 #include "tuner_design/cli/evaluate_command.h"
+#include "tuner_design/cli/identify_command.h"
 #include "tuner_design/cli/import_command.h"
 #include "tuner_design/cli/import_options.h"
 #include "tuner_design/cli/linearise_command.h"
@@ -67,6 +68,7 @@ int run_tuner_design(int argc, const char* const* argv, std::ostream& out, std::
   app.footer(footer);
   add_linearise_command(app, run);
   add_import_command(app, run);
+  add_identify_command(app, run);
   add_design_command(app, run);
   add_envelope_command(app, run);
   add_check_command(app, run);
