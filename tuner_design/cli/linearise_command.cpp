@@ -79,7 +79,7 @@ void linearise_to_file(const Arguments& arguments, const Console& console) {
   LineariseOptions options;
   options.flight = arguments.flight;
   options.demand = demand_of(arguments);
-  options.method = arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::perturbation;
+  options.method = arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::tangent;
   options.fleet = arguments.fleet;
   options.seed = arguments.seed;
   options.heat_soak = arguments.heat_soak;
