@@ -36,6 +36,7 @@ using AuxiliaryVector = BoundedVector<max_auxiliary>;
 using ActuatorVector = BoundedVector<max_actuators>;
 using StateVector = BoundedVector<max_states>;
 using TunerVector = BoundedVector<max_tuners>;
+using HealthCovariance = BoundedMatrix<max_health, max_health>;
 using AugmentedVector = BoundedVector<max_augmented>;
 
 /// Bit i stands for sensor i of the model.
