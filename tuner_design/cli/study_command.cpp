@@ -8,6 +8,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "tuner_design/cli/design_command.h"
+#include "tuner_design/cli/endurthi_command.h"
 #include "tuner_design/cli/engine_option.h"
 #include "tuner_design/cli/fault_study_command.h"
 #include "tuner_design/cli/flight_study_command.h"
@@ -96,6 +97,10 @@ void run_study(Arguments arguments, const Console& console) {
   if (!of_the_paper && arguments.trim != "new")
     throw CLI::ValidationError(
         "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
+  if (is_endurthi_study(arguments.study))
+    return endurthi_study(arguments.study,
+                          {arguments.engine.engine(), arguments.options.seed, arguments.options.threads}, arguments.csv,
+                          arguments.output, console);
   if (is_flight_study(arguments.study)) {
     if (!arguments.csv.empty())
       throw CLI::ValidationError("--csv", "does not go with " + arguments.study + "; --json has every number");
@@ -135,13 +140,15 @@ void add_study_command(CLI::App& app, Action& run) {
                                          "estimates over whole flights; whether every engine starts; "
                                          "the EGT margin over its life; "
                                          "the tuner filter at points from approach to take-off; "
-                                         "or what a robust gain buys");
+                                         "what a robust gain buys; "
+                                         "or tables I to V of Endurthi's thesis on linearisation");
   command
       ->add_option("study", arguments->study,
-                   "Which table, faults, false-alarms, flight, starts, margin, points, or robust")
+                   "Which table, faults, false-alarms, flight, starts, margin, points, robust, or endurthi-1 to -5")
       ->required()
       ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms",
-                             "flight", "starts", "margin", "points", "robust"}));
+                             "flight", "starts", "margin", "points", "robust", "endurthi-1", "endurthi-2", "endurthi-3",
+                             "endurthi-4", "endurthi-5"}));
   CLI::Option* model =
       command->add_option("--model", arguments->model, std::string(model_help) + "; default: our engine at cruise")
           ->type_name("MODEL");
@@ -151,8 +158,9 @@ void add_study_command(CLI::App& app, Action& run) {
       ->check(CLI::IsMember({"new", "half-worn"}))
       ->capture_default_str()
       ->excludes(model);
-  add_engine_option(*command, arguments->engine,
-                    "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points");
+  add_engine_option(
+      *command, arguments->engine,
+      "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points, endurthi");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
