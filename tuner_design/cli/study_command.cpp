@@ -30,6 +30,7 @@ struct Arguments {
   FaultStudyArguments faults;
   FlightStudyArguments flight;
   RobustStudyOptions robust;
+  EndurthiArguments endurthi;
   EngineOption engine;
   OutputOptions output;
 };
@@ -98,7 +99,7 @@ void run_study(Arguments arguments, const Console& console) {
     throw CLI::ValidationError(
         "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
   if (is_endurthi_study(arguments.study))
-    return endurthi_study(arguments.study,
+    return endurthi_study(arguments.study, arguments.endurthi,
                           {arguments.engine.engine(), arguments.options.seed, arguments.options.threads}, arguments.csv,
                           arguments.output, console);
   if (is_flight_study(arguments.study)) {
@@ -170,6 +171,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->capture_default_str();
   add_fault_study_options(*command, arguments->faults);
   add_flight_study_options(*command, arguments->flight);
+  add_endurthi_options(*command, arguments->endurthi);
   command
       ->add_option("--nominal-loss", arguments->robust.nominal_loss,
                    "robust: what the gain may cost where nothing is wrong, share of the mean error")

@@ -40,6 +40,8 @@ std::shared_ptr<const engine_sim::EngineDefinition> definition(const engine_sim:
   auto& metal = engine->data.metal;
   metal[engine_sim::hpc_metal].conductance_w_k = metal[engine_sim::hpt_metal].conductance_w_k = 0.0;
   metal[engine_sim::lpt_metal].capacity_j_k *= share_of_capacity;
+  for (auto* schedule : {&engine->control.bleed_valves.low_speed, &engine->control.bleed_valves.deceleration})
+    for (auto& [at, fraction] : *schedule) fraction = 0.0;
   return engine;
 }
 

@@ -10,8 +10,9 @@
 //             number 4 is unobservable through a defect of MAPSS; here it is number 9, LPT flow, for nothing is
 //             measured between the turbines: four parameters and three equations. It is left out and does not wear.
 // In our engine core and bypass leave the fan in one state: P13 and P21 are one quantity with two noises.
-// Points: idle at sea level, the valves behind the LPC open and still; part power at Mach 0.8 and 35 000 ft. Both run by
-// the engine's own control at a fan speed. Units: those of channel_table.h. Errors: those of the engine.
+// The bleed valves behind the LPC stay shut: they are none of the three controls.
+// Points: near idle at sea level; part power at Mach 0.8 and 35 000 ft. Both run by the engine's own control at a fan
+// speed. Units: those of channel_table.h. Errors: those of the engine.
 
 #include <memory>
 #include <string>

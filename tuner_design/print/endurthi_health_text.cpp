@@ -37,6 +37,11 @@ std::string values(std::span<const double> numbers, int width, int digits) {
   return text;
 }
 
+/// "fan_efficiency" as "fan_eff".
+std::string short_name(const std::string& name) {
+  return name.substr(0, name.find("iciency"));
+}
+
 void print_head(const HealthStudy& study, int table, std::ostream& out) {
   const HealthStudyOptions& o = study.options;
   out << (table == 4 ? "Table IV: unconstrained" : "Table V: constrained")
@@ -62,7 +67,7 @@ void print_range(const HealthPoint& point, FilterKind kind, std::ostream& out) {
 
 void print_models(const HealthPoint& point, FilterKind kind, std::ostream& out) {
   out << fmt::format("\n{}, N1 {:.0f} rpm, percent of the true change\n  {:<10}", point.name, point.n1_rpm, "");
-  for (const std::string& name : point.health) out << fmt::format("{:>9}", name.substr(0, 8));
+  for (const std::string& name : point.health) out << fmt::format("{:>9}", short_name(name));
   out << fmt::format("{:>9}{:>12}\n  {:<10}", "average", "absolute %", "true %");
   for (Eigen::Index i = 0; i < point.change.size(); ++i) out << fmt::format("{:>9.2f}", point.change(i));
   out << '\n';
@@ -109,7 +114,7 @@ void print_life(const HealthStudy& study, const HealthPoint& point, FilterKind k
   out << fmt::format(
       "\n{}, one run of {} flights, LIN{} made anew at the estimate every {} (figure 5.4), percent\n  {:<10}",
       point.name, study.options.life_flights, model_digits(life_model), each, "flight");
-  for (const std::string& name : point.health) out << fmt::format("{:>9}", name.substr(0, 8));
+  for (const std::string& name : point.health) out << fmt::format("{:>9}", short_name(name));
   out << '\n';
   for (std::size_t flight = each; flight <= point.life.size(); flight += each) {
     const LifeFlight& now = point.life[flight - 1];

@@ -29,6 +29,23 @@ std::size_t best_of(const ModelErrors& errors, double ModelError::*wanted) {
   return static_cast<std::size_t>(best - errors.begin());
 }
 
+/// How many times the best of its cell a model misses, in its worst cell.
+double worst_ratio(const LinearisationPoint& point, std::size_t model, double ModelError::*wanted) {
+  double worst = 0.0;
+  for (const auto& row : point.errors)
+    for (const ModelErrors& errors : row)
+      worst = std::max(worst, errors[model].*wanted / (errors[best_of(errors, wanted)].*wanted));
+  return worst;
+}
+
+/// Of all models the one that needs to know least of the change that comes.
+std::size_t safest_of(const LinearisationPoint& point, double ModelError::*wanted) {
+  std::size_t safest = 0;
+  for (std::size_t model = 1; model <= model_count; ++model)
+    if (worst_ratio(point, model, wanted) < worst_ratio(point, safest, wanted)) safest = model;
+  return safest;
+}
+
 std::string published_best(int table, std::size_t linearised, std::size_t test) {
   if (table == 1) return published_best_average;
   const bool tie = linearised == 0 && test + 1 == studied_percents.size();
@@ -82,6 +99,10 @@ void print_best(const LinearisationPoint& point, int table, bool published, std:
       print_line(
           "", "published", [&](std::size_t test) { return published_best(table, linearised, test); }, out);
   }
+  const std::size_t safest = safest_of(point, wanted);
+  out << fmt::format("  worst cell, times the best there: {} {:.2f} (least of all), tangent {:.2f}, {} {:.1f}\n",
+                     name_of(safest), worst_ratio(point, safest, wanted), worst_ratio(point, tangent_model, wanted),
+                     name_of(theirs), worst_ratio(point, theirs, wanted));
 }
 
 void print_groups(const LinearisationPoint& point, std::ostream& out) {
