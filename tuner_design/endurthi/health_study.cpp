@@ -119,6 +119,7 @@ std::vector<ModelHealth> models_of(const StudyPoint& point, const std::vector<Fl
   return results;
 }
 
+/// LIN120, life_model, without the 26 others.
 Eigen::MatrixXd life_jacobian(const StudyPoint& point, const HealthStudyOptions& options) {
   const ColumnSteps steps = steps_of(options);
   const Eigen::MatrixXd states = state_columns(point.plant, ColumnMethod::linmod, steps);

@@ -124,7 +124,7 @@ StudyPoint StudyPoint::worn(const Eigen::VectorXd& h) const {
 std::vector<StudyPoint> study_points(const engine_sim::EngineDefinition& base) {
   const auto engine = std::make_shared<const StudyEngine>(base);
   std::vector<StudyPoint> points;
-  points.push_back(point_at("idle, sea level static", engine, {0.0, 0.0, 0.0}, 0.49));
+  points.push_back(point_at("near idle, sea level static", engine, {0.0, 0.0, 0.0}, 0.49));
   points.push_back(point_at("part power, Mach 0.8, 35 000 ft", engine, {10668.0, 0.8, 0.0}, 0.94));
   return points;
 }

@@ -134,6 +134,7 @@ TEST(HealthStudy, TheSameOnAnyNumberOfThreadsAndBesideThePublished) {
   const HealthStudy study = small(1);
   EXPECT_EQ(health_study_csv(study), health_study_csv(small(2)));
   ASSERT_EQ(study.points.size(), 2u);
+  EXPECT_EQ(model_digits(life_model), "120");
   for (const HealthPoint& point : study.points) {
     EXPECT_EQ(point.models.size(), model_count + 1);
     EXPECT_EQ(point.life.size(), 20u);
