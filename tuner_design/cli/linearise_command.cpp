@@ -23,7 +23,10 @@ struct Arguments {
   bool step_study = false, heat_soak = false;
   engine_sim::SensorOverrides sensors;
   EngineOption engine;
-  std::string method = "perturbation";
+  std::string method = "tangent", states_method, controls_method,
+              health_method;  ///< the last three: empty as the first
+  double perturbation_percent = 100.0 * ColumnSteps{}.relative;
+  BlockMethods blocks;
   int fleet = LineariseOptions{}.fleet;
   std::uint64_t seed = LineariseOptions{}.seed;
   OutputOptions output;
@@ -52,12 +55,45 @@ std::size_t parse_health(const std::string& text, double& value) {
   return as_size(found - names.begin());
 }
 
+/// In the order of ColumnMethod.
+constexpr const char* column_methods[] = {"perturbation", "linmod", "steady-state"};
+
+std::optional<ColumnMethod> column_method(const std::string& name) {
+  const auto found = std::find(std::begin(column_methods), std::end(column_methods), name);
+  if (found == std::end(column_methods)) return std::nullopt;
+  return static_cast<ColumnMethod>(found - std::begin(column_methods));
+}
+
+/// @throws CLI::ValidationError if a block has a method of its own beside the fit over the fleet
+BlockMethods block_methods(const Arguments& arguments) {
+  const auto of = [&](const char* option, const std::string& own) {
+    if (!own.empty() && arguments.method == "fleet")
+      throw CLI::ValidationError(option, "does not go with --method fleet, which fits all columns at once");
+    return column_method(own.empty() ? arguments.method : own);
+  };
+  BlockMethods blocks = arguments.blocks;
+  blocks.states = of("--states-method", arguments.states_method);
+  blocks.controls = of("--controls-method", arguments.controls_method);
+  blocks.health = of("--health-method", arguments.health_method);
+  blocks.steps.relative = -arguments.perturbation_percent / 100.0;  // downwards, as wear goes
+  return blocks;
+}
+
+/// "tangent", or "states perturbation, controls linmod, health steady-state" where they differ.
+std::string method_text(const Arguments& arguments) {
+  const auto own = [&](const std::string& name) { return name.empty() ? arguments.method : name; };
+  const std::string states = own(arguments.states_method), controls = own(arguments.controls_method),
+                    health = own(arguments.health_method);
+  if (states == controls && controls == health) return states;
+  return "states " + states + ", controls " + controls + ", health " + health;
+}
+
 nlohmann::ordered_json as_json(const Linearisation& result, const Arguments& arguments) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const StepStudyRow& row : result.study.rows)
     rows.push_back({{"relative_step", row.step}, {"largest_relative_change", row.change}});
   return {{"name", result.model.name},
-          {"method", arguments.method},
+          {"method", method_text(arguments)},
           {"file", arguments.out},
           {"relative_step", result.study.step},
           {"step_study", std::move(rows)}};
@@ -72,14 +108,15 @@ void print_linearisation(const Linearisation& result, const Arguments& arguments
     }
     out << std::defaultfloat << std::setprecision(6);
   }
-  out << result.model.name << ", " << arguments.method << ": linear model written to " << arguments.out << '\n';
+  out << result.model.name << ", " << method_text(arguments) << ": linear model written to " << arguments.out << '\n';
 }
 
 void linearise_to_file(const Arguments& arguments, const Console& console) {
   LineariseOptions options;
   options.flight = arguments.flight;
   options.demand = demand_of(arguments);
-  options.method = arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::perturbation;
+  options.method = arguments.method == "fleet" ? LineariseMethod::fleet : LineariseMethod::tangent;
+  options.blocks = block_methods(arguments);
   options.fleet = arguments.fleet;
   options.seed = arguments.seed;
   options.heat_soak = arguments.heat_soak;
@@ -94,6 +131,35 @@ void linearise_to_file(const Arguments& arguments, const Console& console) {
   print_result(
       console, arguments.output, [&] { return as_json(result, arguments); },
       [&](std::ostream& out) { print_linearisation(result, arguments, out); });
+}
+
+void add_method_options(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option(
+          "--method", arguments.method,
+          "tangent: derivatives at the trim engine at the step where they settle; perturbation: differences at "
+          "--perturbation; linmod: at the tiny step of Matlab's linmod; steady-state: response of the states and "
+          "open-loop steady states; fleet: best fit over engines with the fleet's spread")
+      ->check(CLI::IsMember({"tangent", "perturbation", "linmod", "steady-state", "fleet"}))
+      ->capture_default_str();
+  const auto block = [&](const char* name, std::string& method, const char* columns) {
+    command.add_option(name, method, std::string("Method of the columns of the ") + columns + "; default: --method")
+        ->check(CLI::IsMember({"tangent", "perturbation", "linmod", "steady-state"}));
+  };
+  block("--states-method", arguments.states_method, "states");
+  block("--controls-method", arguments.controls_method, "controls");
+  block("--health-method", arguments.health_method, "health parameters");
+  command
+      .add_option("--perturbation", arguments.perturbation_percent,
+                  "perturbation, steady-state: step in percent of each input's size, downwards where it may be less")
+      ->check(CLI::Range(1e-4, 5.0))
+      ->capture_default_str();
+  command.add_flag("--central", arguments.blocks.steps.central, "perturbation: differences to both sides");
+  command
+      .add_option("--response-s", arguments.blocks.steps.response_s,
+                  "steady-state: seconds after which the response to a step of a state is taken")
+      ->check(CLI::Range(1e-3, 1.0))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -120,11 +186,7 @@ void add_linearise_command(CLI::App& app, Action& run) {
         parse_health(text, ignored);
         return std::string();
       });
-  command
-      ->add_option("--method", arguments->method,
-                   "perturbation: tangent at the trim engine; fleet: best fit over engines with the fleet's spread")
-      ->check(CLI::IsMember({"perturbation", "fleet"}))
-      ->capture_default_str();
+  add_method_options(*command, *arguments);
   command->add_option("--fleet", arguments->fleet, "Engines of the fleet that measure the linearisation error, 0: none")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();

@@ -8,6 +8,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "tuner_design/cli/design_command.h"
+#include "tuner_design/cli/endurthi_command.h"
 #include "tuner_design/cli/engine_option.h"
 #include "tuner_design/cli/family_study_command.h"
 #include "tuner_design/cli/fault_study_command.h"
@@ -36,6 +37,7 @@ struct Arguments {
   KosanamArguments kosanam;
   LuOptions lu;
   FamilyOptions family;
+  EndurthiArguments endurthi;
   EngineOption engine;
   OutputOptions output;
 };
@@ -113,6 +115,10 @@ void run_study(Arguments arguments, const Console& console) {
     throw CLI::ValidationError(
         "--trim", "goes with simon-garg-4 to -7; study " + arguments.study + " flies the design of --design");
   if (is_kosanam_study(arguments.study)) return run_kosanam(arguments, console);
+  if (is_endurthi_study(arguments.study))
+    return endurthi_study(arguments.study, arguments.endurthi,
+                          {arguments.engine.engine(), arguments.options.seed, arguments.options.threads}, arguments.csv,
+                          arguments.output, console);
   if (is_flight_study(arguments.study)) {
     if (!arguments.csv.empty())
       throw CLI::ValidationError("--csv", "does not go with " + arguments.study + "; --json has every number");
@@ -169,15 +175,18 @@ void add_study_command(CLI::App& app, Action& run) {
                                          "what a robust gain buys; "
                                          "every estimator in every case; "
                                          "the tables of Kosanam's thesis: constrained and robust filters; "
+                                         "tables I to V of Endurthi's thesis on linearisation; "
                                          "or tables 4 to 9 of Lu, Huang & Lv on particle filters");
   command
       ->add_option("study", arguments->study,
-                   "Which table, faults, false-alarms, flight, starts, margin, points, robust, family, or lu-4 to lu-9")
+                   "Which table, faults, false-alarms, flight, starts, margin, points, robust, family, "
+                   "kosanam-5.1 to -5.3, kosanam-ga, endurthi-1 to -5, or lu-4 to -9")
       ->required()
-      ->check(CLI::IsMember({"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults", "false-alarms",
-                             "flight",       "starts",       "margin",       "points",       "robust", "family",
-                             "lu-4",         "lu-5",         "lu-6",         "lu-7",         "lu-8",   "lu-9",
-                             "kosanam-5.1",  "kosanam-5.2",  "kosanam-5.3",  "kosanam-ga"}));
+      ->check(CLI::IsMember(
+          {"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults",      "false-alarms", "flight",
+           "starts",       "margin",       "points",       "robust",       "family",      "lu-4",         "lu-5",
+           "lu-6",         "lu-7",         "lu-8",         "lu-9",         "kosanam-5.1", "kosanam-5.2",  "kosanam-5.3",
+           "kosanam-ga",   "endurthi-1",   "endurthi-2",   "endurthi-3",   "endurthi-4",  "endurthi-5"}));
   CLI::Option* model = command
                            ->add_option("--model", arguments->model,
                                         std::string(model_help) + "; default: our engine at cruise, of kosanam MAPSS")
@@ -190,7 +199,7 @@ void add_study_command(CLI::App& app, Action& run) {
       ->excludes(model);
   add_engine_option(
       *command, arguments->engine,
-      "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points, family, lu");
+      "Engine of simon-garg and robust without --model, faults, flight, starts, margin, points, family, endurthi, lu");
   add_qh_option(*command, options.qh_percent2);
   command->add_option("--engines", options.engines, "Engines of the MAP estimators")
       ->check(CLI::Range(std::size_t{100}, std::size_t{100'000'000}))
@@ -204,6 +213,7 @@ void add_study_command(CLI::App& app, Action& run) {
   add_flight_study_options(*command, arguments->flight);
   add_lu_study_options(*command, arguments->lu);
   add_family_study_options(*command, arguments->family);
+  add_endurthi_options(*command, arguments->endurthi);
   command
       ->add_option("--nominal-loss", arguments->robust.nominal_loss,
                    "robust: what the gain may cost where nothing is wrong, share of the mean error")

@@ -91,6 +91,19 @@ Eigen::VectorXd lowest_inputs(const EngineLayout& layout) {
   return lowest;
 }
 
+Plant plant_of(const EngineLayout& layout, const engine_sim::Turbofan& turbofan, const engine_sim::SteadyPoint& trim) {
+  const Eigen::VectorXd v0 = inputs_of(layout, trim);
+  const auto f = [layout, &turbofan, trim](const Eigen::VectorXd& v) { return evaluate(layout, turbofan, trim, v); };
+  return {.states = layout.states(),
+          .controls = layout.control_count(),
+          .health = layout.health_count(),
+          .v0 = v0,
+          .f0 = f(v0),
+          .size = input_size(layout, v0),
+          .lowest = lowest_inputs(layout),
+          .f = f};
+}
+
 void name_channels(const EngineLayout& layout, linear_model::LinearModel& model, const Eigen::VectorXd& v,
                    const Eigen::VectorXd& f) {
   model.states.clear(), model.controls.clear(), model.health.clear(), model.sensors.clear(), model.auxiliary.clear();

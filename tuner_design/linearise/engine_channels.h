@@ -15,6 +15,7 @@
 #include "engine_sim/linear_model/linear_model.h"
 #include "engine_sim/model/solve/steady.h"
 #include "engine_sim/model/turbofan.h"
+#include "tuner_design/linearise/plant.h"
 
 namespace ehm::tuner_design {
 
@@ -54,6 +55,10 @@ Eigen::VectorXd evaluate(const EngineLayout& layout, const engine_sim::Turbofan&
 Eigen::VectorXd input_size(const EngineLayout& layout, const Eigen::VectorXd& v);
 /// The least value that the gas path accepts of each input: bleed valves, say, only open.
 Eigen::VectorXd lowest_inputs(const EngineLayout& layout);
+
+/// The engine about a steady point as the linearisation methods see it (plant.h). `turbofan` must live as long as the
+/// plant; layout and trim are copied. @throws engine_sim::SolveError as evaluate().
+Plant plant_of(const EngineLayout& layout, const engine_sim::Turbofan& turbofan, const engine_sim::SteadyPoint& trim);
 
 /// Fills the channel lists of a model with trims `v` and `f`.
 void name_channels(const EngineLayout& layout, linear_model::LinearModel& model, const Eigen::VectorXd& v,

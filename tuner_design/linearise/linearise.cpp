@@ -74,6 +74,23 @@ std::string model_name(const engine_sim::EngineData& engine, const engine_sim::S
   return name.str();
 }
 
+/// df/dv, block by block. `study` is filled if a block is the tangent's.
+Eigen::MatrixXd jacobian_by_blocks(const Plant& plant, const BlockMethods& methods, StepStudy& study) {
+  if (!methods.states || !methods.controls || !methods.health) study = study_steps(plant);
+  const auto tangent = [&](Eigen::Index first, Eigen::Index count) -> Eigen::MatrixXd {
+    return study.jacobian.middleCols(first, count);
+  };
+  const Eigen::MatrixXd states =
+      methods.states ? state_columns(plant, *methods.states, methods.steps) : tangent(0, plant.states);
+  Eigen::MatrixXd jacobian(plant.outputs(), plant.inputs());
+  jacobian << states,
+      methods.controls ? control_columns(plant, *methods.controls, methods.steps, states)
+                       : tangent(plant.first_control(), plant.controls),
+      methods.health ? health_columns(plant, *methods.health, methods.steps, states)
+                     : tangent(plant.first_health(), plant.health);
+  return jacobian;
+}
+
 }  // namespace
 
 Linearisation linearise(std::shared_ptr<const engine_sim::EngineDefinition> engine, const LineariseOptions& options) {
@@ -93,14 +110,15 @@ Linearisation linearise(std::shared_ptr<const engine_sim::EngineDefinition> engi
   Fleet fleet;
   if (options.fleet > 0) fleet = steady_fleet(layout, turbofan, trim, options.fleet, options.seed);
   if (options.method == LineariseMethod::fleet) {
+    if (options.blocks.any())
+      throw std::invalid_argument("linearise: the method fleet fits all columns at once; no block has its own method");
     if (options.fleet == 0) throw std::invalid_argument("linearise: the method fleet needs a fleet (--fleet above 0)");
     const FleetFit fit = fit_fleet(turbofan, trim, fleet);
     name_channels(layout, model, fit.inputs, fit.outputs);
     split_jacobian(layout, model, fit.jacobian);
   } else {
-    result.study = study_steps(layout, turbofan, trim);
     name_channels(layout, model, inputs_of(layout, trim), outputs_of(layout, trim.gas));
-    split_jacobian(layout, model, result.study.jacobian);
+    split_jacobian(layout, model, jacobian_by_blocks(plant_of(layout, turbofan, trim), options.blocks, result.study));
   }
   const auto sensors = engine_sim::overridden(engine->channels.sensors, options.sensors);
   add_noise(sensors, engine->channels, options.process_noise_percent, model);

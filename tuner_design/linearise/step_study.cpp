@@ -13,24 +13,21 @@ namespace {
 constexpr double allowed_change = 1e-3;
 
 /// Size of each output: its trim; a rate is measured against its state's trim per second.
-Eigen::VectorXd output_scale(const EngineLayout& layout, const Eigen::VectorXd& v, const Eigen::VectorXd& f) {
-  Eigen::VectorXd scale = f.cwiseAbs();
-  scale.head(layout.states()) = v.head(layout.states());
+Eigen::VectorXd output_scale(const Plant& plant) {
+  Eigen::VectorXd scale = plant.f0.cwiseAbs();
+  scale.head(plant.states) = plant.v0.head(plant.states);
   return scale;
 }
 
-Eigen::MatrixXd differences(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
-                            const engine_sim::SteadyPoint& trim, double relative_step) {
-  const Eigen::VectorXd v = inputs_of(layout, trim), size = input_size(layout, v), lowest = lowest_inputs(layout);
-  const auto f = [&](const Eigen::VectorXd& at) { return evaluate(layout, turbofan, trim, at); };
-  Eigen::MatrixXd result(layout.outputs(), layout.inputs());
-  for (Eigen::Index j = 0; j < layout.inputs(); ++j) {
-    const double step = relative_step * size(j);
-    const Eigen::VectorXd s = step * Eigen::VectorXd::Unit(layout.inputs(), j);
-    if (v(j) - step < lowest(j))
-      result.col(j) = (-3.0 * f(v) + 4.0 * f(v + s) - f(v + 2.0 * s)) / (2.0 * step);
+Eigen::MatrixXd differences(const Plant& plant, double relative_step) {
+  Eigen::MatrixXd result(plant.outputs(), plant.inputs());
+  for (Eigen::Index j = 0; j < plant.inputs(); ++j) {
+    const double step = relative_step * plant.size(j);
+    const auto f_at = [&](double by) { return plant.f(plant.moved(j, by)); };
+    if (plant.v0(j) - step < plant.lowest(j))
+      result.col(j) = (-3.0 * plant.f0 + 4.0 * f_at(step) - f_at(2.0 * step)) / (2.0 * step);
     else
-      result.col(j) = (f(v + s) - f(v - s)) / (2.0 * step);
+      result.col(j) = (f_at(step) - f_at(-step)) / (2.0 * step);
   }
   return result;
 }
@@ -47,15 +44,14 @@ double largest_change(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const 
 
 }  // namespace
 
-StepStudy study_steps(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
-                      const engine_sim::SteadyPoint& trim) {
-  const Eigen::VectorXd output_size = output_scale(layout, inputs_of(layout, trim), outputs_of(layout, trim.gas));
+StepStudy study_steps(const Plant& plant) {
+  const Eigen::VectorXd output_size = output_scale(plant);
   StepStudy study;
-  Eigen::MatrixXd larger = differences(layout, turbofan, trim, std::pow(10.0, -2.0));
+  Eigen::MatrixXd larger = differences(plant, std::pow(10.0, -2.0));
   double least = std::numeric_limits<double>::infinity();
   for (int half_decade = 4; half_decade <= 15; ++half_decade) {
     const double step = std::pow(10.0, -0.5 * half_decade);
-    const Eigen::MatrixXd smaller = differences(layout, turbofan, trim, std::pow(10.0, -0.5 * (half_decade + 1)));
+    const Eigen::MatrixXd smaller = differences(plant, std::pow(10.0, -0.5 * (half_decade + 1)));
     const double change = largest_change(larger, smaller, output_size);
     study.rows.push_back({step, change});
     if (change < least) {

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "tuner_design/linearise/engine_channels.h"
+#include "tuner_design/linearise/plant.h"
 
 namespace ehm::tuner_design {
 
@@ -28,7 +28,6 @@ struct StepStudy {
 
 /// Steps from 1e-2 down by half decades.
 /// @throws std::runtime_error if no step gives derivatives that agree to 1e-3 with its neighbour's.
-StepStudy study_steps(const EngineLayout& layout, const engine_sim::Turbofan& turbofan,
-                      const engine_sim::SteadyPoint& trim);
+StepStudy study_steps(const Plant& plant);
 
 }  // namespace ehm::tuner_design

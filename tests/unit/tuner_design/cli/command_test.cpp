@@ -176,6 +176,41 @@ TEST(Command, WrongUsageExitsWithTwo) {
   EXPECT_EQ(run({"linearise", "--out", "m.json", "--health", "hpc_efficiency"}).code, 2);
 }
 
+TEST(Command, LinearisesEachBlockByItsOwnMethod) {
+  const std::string out = test::temporary_path("blocks.json");
+  const Result mixed = run({"linearise", "--out", out, "--fleet", "0", "--method", "perturbation", "--health-method",
+                            "steady-state", "--perturbation", "0.01", "--central"});
+  ASSERT_EQ(mixed.code, 0) << mixed.err;
+  EXPECT_THAT(mixed.out, HasSubstr("states perturbation, controls perturbation, health steady-state"));
+  EXPECT_EQ(linear_model::read_model(out).health.size(), 10u);
+  EXPECT_THAT(run({"linearise", "--out", out, "--fleet", "0"}).out, HasSubstr(", tangent: linear model written"));
+}
+
+TEST(Command, AMethodThatDoesNotGoIsRefusedByName) {
+  const Result beside = run({"linearise", "--out", "m.json", "--method", "fleet", "--states-method", "linmod"});
+  EXPECT_EQ(beside.code, 2);
+  EXPECT_THAT(beside.err, HasSubstr("--states-method"));
+  EXPECT_THAT(beside.err, HasSubstr("--method fleet"));
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--method", "matlab"},
+                                                {"--controls-method", "fleet"},
+                                                {"--perturbation", "0"},
+                                                {"--perturbation", "20"},
+                                                {"--response-s", "0"}}) {
+    const Result result = run({"linearise", "--out", "m.json", wrong[0], wrong[1]});
+    EXPECT_EQ(result.code, 2) << wrong[0];
+    EXPECT_THAT(result.err, HasSubstr(wrong[0]));
+  }
+}
+
+TEST(Command, TheStudyOfLinearModelsPrintsAndWritesItsTable) {
+  const std::string csv = test::temporary_path("endurthi.csv");
+  const Result result = run({"study", "endurthi-3", "--csv", csv});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("LIN222          7.48      0.53"));  // as published
+  EXPECT_TRUE(std::filesystem::exists(csv));
+  EXPECT_EQ(run({"study", "endurthi-6"}).code, 2);
+}
+
 TEST(Command, HelpAndVersionExitWithZero) {
   const Result help = run({"--help"});
   EXPECT_EQ(help.code, 0);

@@ -28,7 +28,7 @@ const design::Design& cruise_design(LineariseMethod method) {
     options.method = each;
     return design_tuner(linearise(engine_sim::default_engine(), options).model, {});
   };
-  static const design::Design tangent = made(LineariseMethod::perturbation), fleet = made(LineariseMethod::fleet);
+  static const design::Design tangent = made(LineariseMethod::tangent), fleet = made(LineariseMethod::fleet);
   return method == LineariseMethod::fleet ? fleet : tangent;
 }
 
@@ -55,7 +55,7 @@ TEST(FaultStudy, ARoundAndHalfAnHour) {
 }
 
 TEST(FaultStudy, TheTangentModelServesToo) {
-  const FaultStudy study = studied(cruise_design(LineariseMethod::perturbation), {80, 0.0, 78, 2});
+  const FaultStudy study = studied(cruise_design(LineariseMethod::tangent), {80, 0.0, 78, 2});
   EXPECT_GE(study.found, 0.85);
   EXPECT_GE(study.right_sensor, 0.7);
   EXPECT_GE(study.component_not_sensor, 0.8);

@@ -27,7 +27,7 @@ std::shared_ptr<const design::Design> cruise_design() {
   LineariseOptions options;
   options.flight = cruise;
   options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
-  options.method = LineariseMethod::perturbation;
+  options.method = LineariseMethod::tangent;
   return std::make_shared<const design::Design>(
       design_tuner(linearise(engine_sim::default_engine(), options).model, {}));
 }

@@ -26,7 +26,7 @@ const design::Design& cruise_design(LineariseMethod method) {
     options.method = each;
     return design_tuner(linearise(engine_sim::default_engine(), options).model, {});
   };
-  static const design::Design tangent = made(LineariseMethod::perturbation), fleet = made(LineariseMethod::fleet);
+  static const design::Design tangent = made(LineariseMethod::tangent), fleet = made(LineariseMethod::fleet);
   return method == LineariseMethod::fleet ? fleet : tangent;
 }
 
@@ -38,7 +38,7 @@ estimation::HealthVector some_wear() {
 
 TEST(NonlinearTruth, StaysWhereItIsInFlight) {
   // The engine that the truth takes for 30 s of flight is flown for 30 s.
-  const design::Design& design = cruise_design(LineariseMethod::perturbation);
+  const design::Design& design = cruise_design(LineariseMethod::tangent);
   const engine_sim::Turbofan turbofan(engine_sim::jt9d());
   engine_sim::Operation worn{.flight = {10668.0, 0.8, 0.0}};
   const estimation::HealthVector h = some_wear();
@@ -62,7 +62,7 @@ TEST(NonlinearTruth, StaysWhereItIsInFlight) {
 }
 
 TEST(NonlinearTruth, HoldsWhatItWasAskedTo) {
-  const design::Design& design = cruise_design(LineariseMethod::perturbation);
+  const design::Design& design = cruise_design(LineariseMethod::tangent);
   const auto at_speed = nonlinear_truth(design, Hold::fan_speed, engine_sim::default_engine()).engine(some_wear());
   const auto at_fuel = nonlinear_truth(design, Hold::fuel_flow, engine_sim::default_engine()).engine(some_wear());
   EXPECT_NEAR(at_speed->sensors(0), 0.0, 1e-6);
@@ -73,7 +73,7 @@ TEST(NonlinearTruth, HoldsWhatItWasAskedTo) {
 
 TEST(NonlinearTruth, IsTheLinearModelForAlmostNoWear) {
   // At the tangent's trim a thousandth of the wear leaves a millionth of curvature.
-  const design::Design& design = cruise_design(LineariseMethod::perturbation);
+  const design::Design& design = cruise_design(LineariseMethod::tangent);
   const estimation::HealthVector h = 1e-3 * some_wear();
   const auto nonlinear = nonlinear_truth(design, Hold::fuel_flow, engine_sim::default_engine()).engine(h);
   const auto linear = linear_truth(design).engine(h);
@@ -82,7 +82,7 @@ TEST(NonlinearTruth, IsTheLinearModelForAlmostNoWear) {
 }
 
 TEST(NonlinearTruth, RefusesAnUnknownChannel) {
-  design::Design design = cruise_design(LineariseMethod::perturbation);
+  design::Design design = cruise_design(LineariseMethod::tangent);
   design.model.sensors[2].name = "P99";
   try {
     nonlinear_truth(design, Hold::fan_speed, engine_sim::default_engine());
@@ -148,7 +148,7 @@ TEST(NonlinearTruth, TangentMissesByWhatItsDesignSays) {
   options.linear = false, options.nonlinear = true, options.map = false;
   options.runs = 4000;
   options.seconds = 15.0, options.window = 0.3;
-  const design::Design& design = cruise_design(LineariseMethod::perturbation);
+  const design::Design& design = cruise_design(LineariseMethod::tangent);
   const Experiment flown = evaluate(design, options).experiments.front();
   linear_model::LinearModel trusted = design.model;
   trusted.linearisation_error.resize(0, 0);
