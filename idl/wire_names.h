@@ -49,18 +49,20 @@ inline constexpr std::array event_kind_names{"?",
                                              "engine_left",
                                              "second_monitor",
                                              "command_flood",
-                                             "flight_history"};
-static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::flight_history) + 1);
+                                             "flight_history",
+                                             "estimator_fallback"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::estimator_fallback) + 1);
 
 inline constexpr std::array flight_phase_names{"unknown", "taxi", "take_off", "climb", "cruise", "descent", "approach"};
 static_assert(flight_phase_names.size() == static_cast<std::size_t>(FlightPhase::approach) + 1);
 
-inline constexpr std::array<std::pair<std::uint32_t, const char*>, 6> estimate_flag_names{
+inline constexpr std::array<std::pair<std::uint32_t, const char*>, 7> estimate_flag_names{
     {{estimate_flag::converging, "converging"},
      {estimate_flag::bridging, "bridging"},
      {estimate_flag::degraded, "degraded"},
      {estimate_flag::off_design, "off_design"},
      {estimate_flag::shifted, "shifted"},
-     {estimate_flag::implausible, "implausible"}}};
+     {estimate_flag::implausible, "implausible"},
+     {estimate_flag::fallback, "fallback"}}};
 
 }  // namespace ehm::idl

@@ -20,6 +20,7 @@ inline constexpr std::uint32_t degraded = 1u << 2;     ///< a design without som
 inline constexpr std::uint32_t off_design = 1u << 3;   ///< outside the design's operating point or sample time
 inline constexpr std::uint32_t shifted = 1u << 4;      ///< a health shift event is raised
 inline constexpr std::uint32_t implausible = 1u << 5;  ///< farther out than the fleet's engines are: sigma has grown
+inline constexpr std::uint32_t fallback = 1u << 6;     ///< of the watch filter: the published estimator has no answer
 }  // namespace estimate_flag
 
 /// EngineResiduals.reason: bits, why a sensor was not fused.
@@ -98,7 +99,10 @@ enum class EventKind : std::uint32_t {
   engine_left = 29,      ///< silent for so long (value, s) that its filter is free for another; raised 0: it is back
   second_monitor = 30,   ///< another monitor publishes under this one's source_id (value)
   command_flood = 31,    ///< resets come faster than a filter converges; those beyond one in threshold s are refused
-  flight_history = 32    ///< a baseline was not taken, or flights cannot be noted (raised 0: they are again)
+  flight_history = 32,   ///< a baseline was not taken, or flights cannot be noted (raised 0: they are again)
+  estimator_fallback =
+      33  ///< the published estimator has had no answer for so many samples (value): the watch filter's
+          ///< estimates go out in its place (raised 0: it has answered so many times, and is back)
 };
 
 enum class SimCommandKind : std::uint32_t {

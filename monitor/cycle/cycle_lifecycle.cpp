@@ -115,6 +115,7 @@ std::uint32_t MonitorCycle::estimate_flags() const noexcept {
   if (!valid_) flags |= flag::off_design;
   if (beyond ? result_.estimate.stepped >= 0 : detection_.shifted()) flags |= flag::shifted;
   if (!beyond && fleet_.implausible()) flags |= flag::implausible;
+  if (fallback_.fallen()) flags |= flag::fallback;
   return flags;
 }
 

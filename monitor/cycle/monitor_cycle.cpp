@@ -52,6 +52,7 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   valid_ = validity_.check(distance_, events_) && usable;
   at_point_ = watch_holds(was_at_point);
   if (was_at_point && !at_point_ && published_ != watch_filter) detection_.leave_point(events_);
+  if (!at_point_) fallback_.end(events_);
   if (!valid_) {
     companions_.rest(steps_);
     withhold();
@@ -174,6 +175,8 @@ void MonitorCycle::fuse(bool has_design) noexcept {
 
 void MonitorCycle::conclude(bool has_design) noexcept {
   take_estimates();
+  if (published_ != watch_filter && fallback_.look(result_.estimate.holds, events_))
+    result_.estimate = watch_.estimate();
   result_.estimates = has_design && result_.estimate.holds && !fleet_.withheld();
   ++(result_.estimates ? counters_.processed : counters_.withheld);
   if (!result_.estimates)

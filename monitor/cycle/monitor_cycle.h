@@ -26,6 +26,7 @@
 #include "monitor/cycle/companion_estimators.h"
 #include "monitor/cycle/cycle_result.h"
 #include "monitor/cycle/cycle_state.h"
+#include "monitor/cycle/estimator_fallback.h"
 #include "monitor/cycle/fault_detection.h"
 #include "monitor/cycle/prepared_design.h"
 #include "monitor/cycle/sample_intake.h"
@@ -153,6 +154,7 @@ class MonitorCycle {
   FleetWatch fleet_;
   FaultDetection detection_;
   LimitWatch limits_;
+  EstimatorFallback fallback_;  ///< at the point
 
   estimation::Conditions before_, now_;  ///< at the sample before, and at this one
   int steps_ = 1;                        ///< sample times between the two

@@ -9,7 +9,7 @@
 //
 // A lagged sensor is predicted lagged. Below least_n1 only the speeds are fused. The first sample starts the spools as
 // measured and the health at the prior. Where the engine has no answer the estimate does not hold; after a second of
-// that, it starts cold. Source: theory.md, section 16. Errors: none after construction. Real-time safe: yes, all but
+// that, it starts cold. Source: theory.md, section 18. Errors: none after construction. Real-time safe: yes, all but
 // construction and clone().
 
 #include <memory>

@@ -14,8 +14,8 @@ StatusLevel level_of(const EngineSlot& slot) noexcept {
   const bool troubled = now.lost != before.lost || now.malformed != before.malformed ||
                         now.reordered != before.reordered || now.foreign != before.foreign ||
                         slot.cycle.intake().order_troubled() || slot.resets.raised();
-  const bool restricted =
-      (result.flags & (flag::degraded | flag::shifted | flag::implausible)) != 0 || slot.cycle.detection().doubted();
+  const bool restricted = (result.flags & (flag::degraded | flag::shifted | flag::implausible | flag::fallback)) != 0 ||
+                          slot.cycle.detection().doubted();
   return troubled || restricted ? StatusLevel::warn : StatusLevel::ok;
 }
 

@@ -280,6 +280,15 @@ std::string event_text(const Event& e, const linear_model::LinearModel& model) {
     case idl::EventKind::command_flood:
       return e.raised ? fmt::format("resets come faster than one in {:.3g} s: {:.0f} are refused", e.threshold, e.value)
                       : "resets are obeyed again";
+    case idl::EventKind::estimator_fallback:
+      if (e.raised)
+        return fmt::format(
+            "the published estimator has had no answer for {:.0f} samples: the tuner filter's estimates are published "
+            "in its place",
+            e.value);
+      return e.value > 0.0
+                 ? fmt::format("the published estimator has answered {:.0f} samples, and is published again", e.value)
+                 : "the published estimator is published again";
     case idl::EventKind::second_monitor:
     case idl::EventKind::input_deadline:
     case idl::EventKind::input_liveliness:

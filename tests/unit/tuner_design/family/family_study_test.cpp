@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The family study in short: who has a part in it, what no estimator of a constant may pass, and the same bytes on any
+// number of threads. Its figures: `tuner_design study family`.
+
+#include "tuner_design/family/family_study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "deploy/runtime/numbers/index.h"
+#include "engine_sim/engines/jt9d_engine.h"
+#include "engine_sim/engines/shipped_engines.h"
+#include "tests/unit/tuner_design/test_models.h"
+#include "tuner_design/design/design_tuner.h"
+#include "tuner_design/linearise/linearise.h"
+#include "tuner_design/print/family_text.h"
+
+namespace ehm::tuner_design {
+namespace {
+
+const design::Design& cruise_design() {
+  static const design::Design made = [] {
+    LineariseOptions options;
+    options.flight = {10668.0, 0.8, 0.0};
+    options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
+    return design_tuner(linearise(engine_sim::default_engine(), options).model, {});
+  }();
+  return made;
+}
+
+FamilyOptions in_short(unsigned threads) {
+  FamilyOptions options;
+  options.engine = engine_sim::default_engine();
+  options.engines = 2;
+  options.whole_flight = false;
+  options.estimator.particles = 5;
+  options.threads = threads;
+  return options;
+}
+
+std::string text(const FamilyStudy& study) {
+  std::ostringstream out;
+  print_family_study(study, out);
+  return out.str() + family_study_as_csv(study) + family_study_as_json(study).dump();
+}
+
+TEST(FamilyStudy, EveryEstimatorHasItsPartAndTheBytesAreTheSameOnAnyNumberOfThreads) {
+  const FamilyStudy study = run_family_study(cruise_design(), in_short(2));
+  EXPECT_THAT(study.estimators,
+              testing::IsSupersetOf({"tuner", "gauss_markov", "time_varying", "onboard", "ekf", "iekf", "clipped_ekf",
+                                     "ukf", "particle", "ekpf", "cekpf", "constrained"}));
+  EXPECT_THAT(study.left_out, testing::ElementsAre("scheduled"));  // the design has no schedule
+  ASSERT_EQ(study.cases.size(), 6u);
+  for (const FamilyCaseResult& c : study.cases) {
+    EXPECT_EQ(c.flown, 2u);
+    for (std::size_t e = 0; e < study.estimators.size(); ++e) {
+      if (!c.scores[e]) continue;
+      EXPECT_GE(c.scores[e]->coverage, 0.0);
+      EXPECT_LE(c.scores[e]->coverage, 1.0);
+    }
+  }
+  // 4 (10 - 7) percent^2, and what the noise of 40 s leaves
+  EXPECT_NEAR(study.limit, 12.0, 0.2);
+  const auto place = [&](const char* name) {
+    return as_size(std::find(study.estimators.begin(), study.estimators.end(), name) - study.estimators.begin());
+  };
+  // a constant is what the time-varying filter never follows, and the tuner filter does within its time constant
+  const FamilyCaseResult& rapid = study.cases[static_cast<std::size_t>(FamilyCase::rapid)];
+  EXPECT_FALSE(rapid.scores[place("time_varying")]->answer_s.has_value());
+  EXPECT_EQ(text(run_family_study(cruise_design(), in_short(1))), text(study));
+}
+
+TEST(FamilyStudy, AnotherEnginesDesignIsRefused) {
+  FamilyOptions options = in_short(1);
+  options.engine = engine_sim::named_engine("high_bypass");
+  EXPECT_THROW(run_family_study(cruise_design(), options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ehm::tuner_design
