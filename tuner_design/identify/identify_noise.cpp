@@ -13,6 +13,7 @@
 #include "monitor/diagnosis/quantiles.h"
 #include "monitor/estimation/linear/lyapunov.h"
 #include "tuner_design/identify/model_residual.h"
+#include "tuner_design/identify/noise_groups.h"
 #include "tuner_design/identify/short_holes.h"
 
 namespace ehm::tuner_design {
@@ -26,7 +27,7 @@ using linear_model::LinearModel;
 constexpr Index least_samples = 2000;
 constexpr double told_share = 0.5, two_sided_95 = 1.96, one_sided_95 = 1.645;
 constexpr double false_remark = 0.01, least_correlation = 0.02;
-constexpr double start_walk_percent2 = 1e-6, start_share = 1e-6, least_eigenvalue = 1e-12;
+constexpr double start_share = 1e-6, least_eigenvalue = 1e-12;
 
 /// The rows of some sensors.
 LinearModel with_sensors(const LinearModel& model, const std::vector<int>& sensors) {
@@ -87,44 +88,9 @@ IdentifiedVariance identified(const WhittleFit& fit, Index group) {
   return v;
 }
 
-/// One group a term, but all walks in the last one.
-NoiseGroups common_walk(const std::vector<NoiseTerm>& terms) {
-  NoiseGroups groups;
-  std::vector<std::size_t> walks;
-  for (std::size_t t = 0; t < terms.size(); ++t) {
-    if (terms[t].kind == NoiseKind::walk)
-      walks.push_back(t);
-    else
-      groups.push_back({t});
-  }
-  groups.push_back(walks);
-  return groups;
-}
-
-NoiseGroups one_each(std::size_t terms) {
-  NoiseGroups groups;
-  for (std::size_t t = 0; t < terms; ++t) groups.push_back({t});
-  return groups;
-}
-
-/// Everything that is not noise of the sensors starts from the model's, and above 0.
-VectorXd start_of(const NoiseSpectra& spectra, const LinearModel& scaled, const VectorXd& power) {
-  const std::size_t before_walks = spectra.terms().size() - as_size(scaled.L.cols());
-  VectorXd start(as_index(before_walks + 1));
-  for (std::size_t t = 0; t < before_walks; ++t) {
-    const NoiseTerm& term = spectra.terms()[t];
-    double& value = start(as_index(t));
-    if (term.kind == NoiseKind::sensor)
-      value = 0.5 * power(term.channel);
-    else
-      value = term.channel < 0 ? 1.0 : std::max(start_walk_percent2, scaled.process_noise(term.channel, term.channel));
-  }
-  start(start.size() - 1) = start_walk_percent2;
-  return start;
-}
-
 /// What is left of the information on the walks once all else is estimated too, each scaled to itself.
-MatrixXd information_on_walks(const WhittleFit& fit, Index first, Index p) {
+MatrixXd information_on_walks(const WhittleFit& fit, Index first) {
+  const Index p = fit.theta.size() - first;
   const MatrixXd others = fit.information.topLeftCorner(first, first);
   const MatrixXd cross = fit.information.topRightCorner(first, p);
   const MatrixXd own = fit.information.bottomRightCorner(p, p) - cross.transpose() * others.ldlt().solve(cross);
@@ -132,18 +98,18 @@ MatrixXd information_on_walks(const WhittleFit& fit, Index first, Index p) {
   return scale.asDiagonal() * own * scale.asDiagonal();
 }
 
-/// Of the errors of each pair of walks the most negative correlation: what one gains, the other loses.
-void tell_apart(const WhittleFit& fit, Index first, IdentifiedNoise& result) {
-  const auto p = as_index(result.walks.size());
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(information_on_walks(fit, first, p));
+/// Of the errors of each pair of walks the most negative correlation: what one gains, the other loses. `channels`: the
+/// health parameters of the groups behind `first`.
+void tell_apart(const WhittleFit& fit, Index first, const std::vector<int>& channels, IdentifiedNoise& result) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(information_on_walks(fit, first));
   const VectorXd values = eigen.eigenvalues().cwiseMax(least_eigenvalue);
-  result.condition = values(p - 1) / values(0);
+  result.condition = values(values.size() - 1) / values(0);
   const MatrixXd errors = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
-  for (Index i = 0; i < p; ++i) {
-    IdentifiedWalk& walk = result.walks[as_size(i)];
-    for (Index j = 0; j < p; ++j) {
+  for (Index i = 0; i < values.size(); ++i) {
+    IdentifiedWalk& walk = result.walks[as_size(channels[as_size(i)])];
+    for (Index j = 0; j < values.size(); ++j) {
       const double correlation = errors(i, j) / std::sqrt(errors(i, i) * errors(j, j));
-      if (correlation < walk.correlation) walk.correlation = correlation, walk.alike = static_cast<int>(j);
+      if (correlation < walk.correlation) walk.correlation = correlation, walk.alike = channels[as_size(j)];
     }
   }
 }
@@ -172,32 +138,45 @@ void judge_fit(const std::vector<SpectralBand>& bands, const NoiseGroups& groups
                 power_ratio(bands, groups, fit, result.range_rad[1], all)};
 }
 
-void fit_noise(const std::vector<SpectralBand>& bands, const NoiseSpectra& spectra, const VectorXd& start,
-               IdentifiedNoise& result) {
-  const NoiseGroups common = common_walk(spectra.terms()), each = one_each(spectra.terms().size());
+void fit_noise(const std::vector<SpectralBand>& bands, const std::vector<NoiseTerm>& terms, const LinearModel& scaled,
+               const VectorXd& power, IdentifiedNoise& result) {
+  const NoiseGroups each = one_each(bands, terms), common = common_walk(each, terms);
+  const auto first = as_index(common.size()) - 1, walks = as_index(each.size()) - first;
+  if (terms[common.back().front()].kind != NoiseKind::walk)
+    throw std::invalid_argument("no sensor that is used sees anything of health");
+  const VectorXd start = start_values(common, terms, scaled, power);
   const WhittleFit together = whittle_fit(bands, common, start);
-  const auto p = as_index(result.walks.size()), first = start.size() - 1;
-  VectorXd apart_start(first + p);
-  apart_start << together.theta, VectorXd::Constant(p - 1, together.theta(first));
+  VectorXd apart_start(first + walks);
+  apart_start << together.theta, VectorXd::Constant(walks - 1, together.theta(first));
   const WhittleFit apart = whittle_fit(bands, each, apart_start.cwiseMax(start_share * start.minCoeff()));
-  for (std::size_t t = 0; t < as_size(first); ++t) {
-    const NoiseTerm& term = spectra.terms()[t];
-    const IdentifiedVariance variance = identified(together, as_index(t));
-    if (term.kind == NoiseKind::sensor) {
+  result.walk = identified(together, first);
+  result.walks_differ = walks > 1 && together.deviance - apart.deviance >
+                                         monitor::chi_square_quantile(static_cast<double>(walks - 1),
+                                                                      monitor::normal_quantile_above(0.01));
+  std::vector<int> channels;
+  for (std::size_t g = 0; g < each.size(); ++g) {
+    const NoiseTerm& term = terms[each[g].front()];
+    const bool walk = term.kind == NoiseKind::walk;
+    const IdentifiedVariance variance = identified(walk || result.walks_differ ? apart : together, as_index(g));
+    if (walk) {
+      result.walks[as_size(term.channel)].variance = variance;
+      result.walks[as_size(term.channel)].seen = true;
+      channels.push_back(term.channel);
+    } else if (term.kind == NoiseKind::sensor) {
       result.sensors[as_size(result.selection.sensors[as_size(term.channel)])] = variance;
     } else {
       result.motion_terms.push_back(term);
       result.motion.push_back(variance);
     }
   }
-  result.walk = identified(together, first);
-  for (Index i = 0; i < p; ++i) result.walks[as_size(i)].variance = identified(apart, first + i);
-  tell_apart(apart, first, result);
-  result.walks_differ =
-      p > 1 && together.deviance - apart.deviance >
-                   monitor::chi_square_quantile(static_cast<double>(p - 1), monitor::normal_quantile_above(0.01));
+  tell_apart(apart, first, channels, result);
   remark(noise_checks(bands, each, apart), result);
   judge_fit(bands, each, apart, result);
+}
+
+/// What a model should count with.
+double told_or_least(const IdentifiedVariance& found, double scale, double models) {
+  return found.told ? scale * found.value : std::min(models, scale * found.high);
 }
 
 }  // namespace
@@ -222,21 +201,22 @@ IdentifiedNoise identify_noise(RecordedSamples record, const LinearModel& model,
   const NoiseSpectra spectra(scaled);
   const std::vector<SpectralBand> bands = spectral_bands(pieces, spectra);
   result.lowest_rad = bands.front().omega;
-  fit_noise(bands, spectra, start_of(spectra, scaled, power), result);
+  fit_noise(bands, spectra.terms(), scaled, power, result);
   return result;
 }
 
 LinearModel with_identified_noise(const LinearModel& model, const IdentifiedNoise& noise) {
   LinearModel result = model;
-  for (std::size_t i = 0; i < noise.sensors.size(); ++i)
-    if (const auto& variance = noise.sensors[i])
-      result.sensor_noise_sigma(as_index(i)) = std::sqrt(variance->value) * noise.scaling.sensor(as_index(i));
+  for (std::size_t i = 0; i < noise.sensors.size(); ++i) {
+    if (!noise.sensors[i]) continue;
+    double& sigma = result.sensor_noise_sigma(as_index(i));
+    sigma = std::sqrt(told_or_least(*noise.sensors[i], std::pow(noise.scaling.sensor(as_index(i)), 2), sigma * sigma));
+  }
   for (std::size_t t = 0; t < noise.motion.size(); ++t) {
-    const IdentifiedVariance& found = noise.motion[t];
     const Index state = noise.motion_terms[t].channel;
-    const double scale = state < 0 ? 1.0 : std::pow(noise.scaling.state(state), 2);
-    const double models = state < 0 ? 1.0 : model.process_noise(state, state);
-    const double variance = found.told ? scale * found.value : std::min(models, scale * found.high);
+    const double variance = state < 0 ? told_or_least(noise.motion[t], 1.0, 1.0)
+                                      : told_or_least(noise.motion[t], std::pow(noise.scaling.state(state), 2),
+                                                      model.process_noise(state, state));
     if (state < 0)
       result.process_noise *= variance;
     else

@@ -15,8 +15,10 @@
 // What cannot be told apart shows there: its standard error is large, and its correlation with another's is near -1.
 // Units: percent of trim and percent of health, squared, per sample (scaling.h).
 //
-// @throws std::invalid_argument if fewer than 2000 samples are steady (says what the others are), or if a sensor reads
-//         one value throughout.
+// Where the walks differ at one per cent, R and Q are of the fit with one walk each, else of that with a common one.
+//
+// @throws std::invalid_argument if fewer than 2000 samples are steady (says what the others are), if a sensor reads one
+//         value throughout, or if no sensor sees health.
 
 #include <array>
 #include <optional>
@@ -35,6 +37,7 @@ struct IdentifiedVariance {
 
 struct IdentifiedWalk {
   IdentifiedVariance variance;
+  bool seen = false;         ///< by any sensor that is used
   int alike = -1;            ///< the health parameter with which it is most easily confused
   double correlation = 0.0;  ///< of the errors of the two variances
 };
@@ -61,8 +64,8 @@ struct IdentifiedNoise {
 IdentifiedNoise identify_noise(RecordedSamples record, const linear_model::LinearModel& model,
                                const monitor::ValidityOptions& validity);
 
-/// `model`, as it was given to identify_noise, with what was told in the place of its own noise. Of a motion that is
-/// not told it keeps its own, or takes the upper end where that is less.
+/// `model`, as it was given to identify_noise, with what was told in the place of its own noise. Of what is not
+/// told it keeps its own, or takes the upper end where that is less.
 linear_model::LinearModel with_identified_noise(const linear_model::LinearModel& model, const IdentifiedNoise& noise);
 
 }  // namespace ehm::tuner_design

@@ -113,6 +113,10 @@ void print_walks(const IdentifiedNoise& noise, std::ostream& out) {
                      noise.walks_differ ? "they differ" : "no difference is seen", noise.condition);
   for (std::size_t i = 0; i < noise.walks.size(); ++i) {
     const IdentifiedWalk& w = noise.walks[i];
+    if (!w.seen) {
+      out << fmt::format("  {:<22}no sensor sees it\n", noise.model.health[i].name);
+      continue;
+    }
     out << fmt::format("  {:<22}", noise.model.health[i].name);
     if (w.variance.told)
       out << fmt::format("{:>12.3g}{:>12.3g} .. {:<12.3g}", w.variance.value, w.variance.low, w.variance.high);
@@ -149,7 +153,7 @@ void print_remarks(const IdentifiedNoise& noise, std::ostream& out) {
 void print_advice(const IdentifiedNoise& noise, const IdentifySource& source, std::ostream& out) {
   const std::string model = source.out.empty() ? "M.json" : source.out;
   out << fmt::format(
-      "\nInto a design\n  {} the model with this R and Q; of a state that is not told the model's, or the "
+      "\nInto a design\n  {} the model with this R and Q; of what is not told the model's, or the "
       "upper end where that is less\n",
       source.out.empty() ? "--out M.json writes" : model + " is");
   out << fmt::format("  tuner_design design --model {} --out D.json", model);
@@ -179,8 +183,8 @@ Json rows_as_json(const std::vector<Shown>& rows) {
 Json walks_as_json(const IdentifiedNoise& noise) {
   Json all = Json::array();
   for (std::size_t i = 0; i < noise.walks.size(); ++i) {
-    Json walk{{"name", noise.model.health[i].name}};
-    walk.update(variance_as_json(noise.walks[i].variance));
+    Json walk{{"name", noise.model.health[i].name}, {"seen", noise.walks[i].seen}};
+    if (noise.walks[i].seen) walk.update(variance_as_json(noise.walks[i].variance));
     if (const int alike = noise.walks[i].alike; alike >= 0) {
       walk["most_like"] = noise.model.health[as_size(alike)].name;
       walk["correlation"] = noise.walks[i].correlation;

@@ -127,6 +127,44 @@ TEST(IdentifyNoise, TwoParametersThatTheSensorsCannotTellApartSayWhatTheyAreLike
   EXPECT_GT(found.condition, 1e6);
 }
 
+TEST(IdentifyNoise, AParameterThatNoSensorSeesAndAStateThatNoneSeesAreLeftOut) {
+  auto model = test::made_up_model(4, 3);
+  model.L.col(1).setZero();
+  model.M.col(1).setZero();
+  model.A(0, 1) = 0.0;
+  model.A(1, 0) = 0.0;
+  model.C.col(1).setZero();
+  const IdentifiedNoise found = identified(model, test::noise_of(model, 1e-3), 8000, 9);
+  EXPECT_TRUE(found.walks[0].seen);
+  EXPECT_FALSE(found.walks[1].seen);
+  EXPECT_NE(found.walks[0].alike, 1);
+  ASSERT_EQ(found.motion_terms.size(), 1U);
+  EXPECT_EQ(found.motion_terms[0].channel, 0);
+  EXPECT_NEAR(found.walk.value / 1e-3, 1.0, 0.50);
+  model.L.setZero();
+  model.M.setZero();
+  EXPECT_THROW(identified(model, test::noise_of(model, 0.0), 8000, 9), std::invalid_argument);
+}
+
+TEST(IdentifyNoise, HoldsForAnyNumberOfSensorsAndParameters) {
+  for (const int sensors : {1, 2, 5, 12}) {
+    for (const int health : {1, 3, 12}) {
+      const auto model = test::made_up_model(sensors, health);
+      const test::KnownNoise noise = test::noise_of(model, 1e-4);
+      const IdentifiedNoise found = identified(model, noise, 4000, as_size(100 * sensors + health));
+      for (std::size_t i = 0; i < found.sensors.size(); ++i)
+        EXPECT_NEAR(found.sensors[i]->value / std::pow(noise.sensors(as_index(i)), 2), 1.0, 0.15);
+      for (const IdentifiedWalk& walk : found.walks) {
+        EXPECT_GE(walk.variance.value, 0.0);
+        EXPECT_TRUE(std::isfinite(walk.variance.high));
+        EXPECT_GE(walk.variance.high, walk.variance.value);
+      }
+      EXPECT_LE(found.walk.low, 1e-4);
+      EXPECT_GE(found.walk.high, 0.5e-4);
+    }
+  }
+}
+
 TEST(IdentifyNoise, SaysWhichNoisesAreCorrelatedOrColoured) {
   const auto model = cruise();
   const test::KnownNoise noise = test::noise_of(model, 1e-5);
