@@ -2,11 +2,11 @@
 #include "monitor/design/make_constrained.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "deploy/runtime/numbers/index.h"
+#include "monitor/design/option_error.h"
 
 namespace ehm::design {
 namespace {
@@ -18,8 +18,7 @@ ConstraintWay way_of(const std::string& name) {
   if (name == "projection") return ConstraintWay::projection;
   if (name == "projection_identity") return ConstraintWay::projection_identity;
   if (name == "truncation") return ConstraintWay::truncation;
-  throw std::invalid_argument("'estimator.constraint' is '" + name +
-                              "'; allowed: projection, projection_identity, truncation");
+  throw OptionError("'estimator.constraint' is '" + name + "'; allowed: projection, projection_identity, truncation");
 }
 
 /// +1 for each of the names in the list, -1 for the others.
@@ -31,7 +30,7 @@ estimation::HealthVector directions_of(const std::string& list, const std::vecto
     begin = end + 1;
     const auto named = std::find_if(health.begin(), health.end(), [&](const auto& h) { return h.name == name; });
     if (named == health.end())
-      throw std::invalid_argument("'estimator.wear_raises' names '" + name + "', no health parameter of the design");
+      throw OptionError("'estimator.wear_raises' names '" + name + "', no health parameter of the design");
     direction(named - health.begin()) = 1.0;
   }
   return direction;
@@ -53,16 +52,16 @@ std::unique_ptr<estimation::Estimator> make_constrained_estimator(std::unique_pt
                                                    options.constraint_margin_sigma,
                                                    directions(options, design.model.health)};
   if (constrained.way != ConstraintWay::projection_identity && inner->health_covariance().size() == 0)
-    throw std::invalid_argument("'estimator.constraint' is '" + options.constraint + "', but " +
-                                options.constrained_of + " has no covariance of health; allowed: projection_identity");
+    throw OptionError("'estimator.constraint' is '" + options.constraint + "', but " + options.constrained_of +
+                      " has no covariance of health; allowed: projection_identity");
   if (constrained.feeds_back && constrained.way == ConstraintWay::truncation)
-    throw std::invalid_argument(
+    throw OptionError(
         "'estimator.constraint_feeds_back' is true; allowed with 'estimator.constraint' = truncation: false, since the "
         "same bound would be counted again at every sample");
   // as it is: whether it can hold what it is told
   if (constrained.feeds_back && !inner->correct_health(estimation::HealthVector(inner->estimate().health)))
-    throw std::invalid_argument("'estimator.constraint_feeds_back' is true, but " + options.constrained_of +
-                                " cannot go on from any health; allowed: false");
+    throw OptionError("'estimator.constraint_feeds_back' is true, but " + options.constrained_of +
+                      " cannot go on from any health; allowed: false");
   inner->reset();
   return std::make_unique<estimation::ConstrainedEstimator>(std::move(inner), constrained);
 }

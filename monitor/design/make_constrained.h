@@ -2,7 +2,7 @@
 #pragma once
 // A constrained estimator (estimation/constrained/constrained_estimator.h) as an operator's options have it, around one
 // that has been made.
-// @throws std::invalid_argument (key, value, allowed) if estimator.constraint is none of the ways, estimator.wear_raises
+// @throws OptionError (key, value, allowed) if estimator.constraint is none of the ways, estimator.wear_raises
 // names what is no health parameter of the design, truncation is to feed back, or the one inside has not what the way
 // needs: a covariance of health, or where the constrained health is to feed back a state that can hold it.
 

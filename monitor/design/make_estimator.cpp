@@ -12,6 +12,7 @@
 #include "monitor/design/make_nonlinear.h"
 #include "monitor/design/make_on_board.h"
 #include "monitor/design/make_scheduled.h"
+#include "monitor/design/option_error.h"
 
 namespace ehm::design {
 namespace {
@@ -91,8 +92,8 @@ const EstimatorKind* kind_of(std::string_view name) noexcept {
 const EstimatorKind& constrained_kind(const EstimatorOptions& options) {
   const EstimatorKind* kind = kind_of(options.constrained_of);
   if (!kind || kind->name == std::string_view(constrained_name))
-    throw std::invalid_argument("'estimator.constrained_of' is '" + options.constrained_of +
-                                "'; allowed: one of the others, " + known_names());
+    throw OptionError("'estimator.constrained_of' is '" + options.constrained_of + "'; allowed: one of the others, " +
+                      known_names());
   return *kind;
 }
 

@@ -7,6 +7,7 @@
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
+#include "monitor/design/option_error.h"
 
 namespace ehm::monitor {
 
@@ -17,6 +18,8 @@ PreparedDesign EngineTable::prepare(const std::string& file, const CycleOptions&
       if (prepared.design->hash == design->hash && prepared.serves(options)) return prepared;
   try {
     return PreparedDesign(std::move(design), options);
+  } catch (const design::OptionError& e) {
+    throw files::FileError(file + ": " + e.what());
   } catch (const std::invalid_argument& e) {
     throw files::FileError(file + ": the matrices do not fit together: " + e.what() +
                            ". Make the design again with tuner_design design.");
