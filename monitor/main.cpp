@@ -82,6 +82,7 @@ int run(int argc, char** argv) {
     if (!config.offline.file.empty()) {
       const std::vector<std::string> given = schema.given();
       monitor::choose_offline_estimator(config, std::ranges::count(given, "estimator.published") > 0);
+      monitor::choose_all_estimators(config);
     }
     engines = std::make_unique<monitor::EngineTable>(config);
   } catch (const std::exception& e) {

@@ -36,7 +36,7 @@ struct EstimatorKind {
 /// All of them, the tuner filter first.
 std::span<const EstimatorKind> estimator_kinds() noexcept;
 
-inline constexpr std::size_t max_shadows = 3;
+inline constexpr std::size_t max_shadows = 15;
 
 /// The names in estimator.shadow, in their order.
 /// @throws std::invalid_argument (value, allowed) if one is not known, stands twice, is published, or is one too many.

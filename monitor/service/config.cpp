@@ -158,6 +158,11 @@ void declare_recording(Schema& schema, MonitorConfig& m) {
   schema.text("offline.column_map", m.offline.column_map,
               "TOML file that says which column of a CSV file is which channel; empty: offline.file is a recording");
   schema.alias("offline.column_map", "--column-map");
+  schema.flag(
+      "offline.all_estimators", m.offline.all_estimators,
+      "offline.file is flown by every estimator that the design has the means for, side by side in one recording; "
+      "in place of estimator.shadow");
+  schema.alias("offline.all_estimators", "--all-estimators");
 }
 
 void declare_realtime(Schema& schema, RealtimeOptions& o) {
@@ -326,6 +331,8 @@ void finish_config(const MonitorConfig& m) {
     throw ConfigError("'offline.file' and 'offline.out' need each other: --offline FILE --out FILE");
   if (m.offline.file.empty() && !m.offline.column_map.empty())
     throw ConfigError("'offline.column_map' is for 'offline.file', which is not set");
+  if (m.offline.file.empty() && m.offline.all_estimators)
+    throw ConfigError("'offline.all_estimators' is for 'offline.file', which is not set: --offline FILE --out FILE");
   try {
     design::shadow_names(m.cycle.estimator);
   } catch (const std::invalid_argument& e) {

@@ -16,6 +16,7 @@
 #include "deploy/runtime/service/stop_signal.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/source_fit.h"
+#include "monitor/design/design_file.h"
 #include "monitor/design/make_estimator.h"
 #include "monitor/history/flight_keeper.h"
 #include "monitor/history/history_text.h"
@@ -273,6 +274,25 @@ void choose_offline_estimator(MonitorConfig& config, bool named) {
                               " was recorded so; --estimator-published NAME flies another");
   }
   spdlog::info("{} flies, as {} was recorded", recorded, config.offline.file);
+}
+
+void choose_all_estimators(MonitorConfig& config) {
+  if (!config.offline.all_estimators) return;
+  std::vector<design::Design> designs;
+  if (!config.design.empty()) designs.push_back(design::read_design(config.design));
+  for (const auto& assignment : config.engines) designs.push_back(design::read_design(assignment.design));
+  std::string shadows;
+  for (const design::EstimatorKind& kind : design::estimator_kinds()) {
+    if (kind.name == config.cycle.estimator.published) continue;
+    try {
+      for (const design::Design& design : designs)
+        design::make_estimator(kind.name, design, config.cycle.estimator, config.cycle.validity);
+      shadows += (shadows.empty() ? "" : ",") + std::string(kind.name);
+    } catch (const std::invalid_argument& e) {
+      spdlog::info("{} does not fly: {}", kind.name, e.what());
+    }
+  }
+  config.cycle.estimator.shadow = shadows;
 }
 
 void run_offline(const MonitorConfig& config, EngineTable& engines) {

@@ -15,6 +15,9 @@ namespace ehm::monitor {
 /// Before the engines are made: the estimator that the recording published is published again, unless the configuration
 /// has `named` one; then a warning says which was recorded. A recording that does not state it changes nothing.
 void choose_offline_estimator(MonitorConfig& config, bool named);
+/// With offline.all_estimators, before the engines are made: every estimator but the published one becomes a shadow; one
+/// that a design has not what it needs for is left out, and said.
+void choose_all_estimators(MonitorConfig& config);
 /// Until the input's end, SIGINT or SIGTERM.
 void run_offline(const MonitorConfig& config, EngineTable& engines);
 

@@ -29,6 +29,7 @@ struct OfflineOptions {
   std::string file;  ///< empty: the service runs
   std::string out;
   std::string column_map;  ///< of a CSV file
+  bool all_estimators = false;
 };
 
 /// What is kept of each engine from flight to flight.

@@ -23,6 +23,7 @@ using namespace ehm;
 using namespace ehm::test;
 using recording::Row;
 using recording::RowKind;
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::vector<Row> read_rows(const std::string& file) {
@@ -125,6 +126,16 @@ TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalT
               HasSubstr("estimates of the input: 3000 identical to the bit, 0 different"));
   const auto offline_samples = rows_of(read_rows(folder_.path("offline.h5")), 1);
   ASSERT_EQ(offline_samples.size(), 3000u);
+
+  // Every estimator of the table side by side; of scheduled the design has no schedule, and tuner is the published one.
+  EXPECT_THAT(offline("online.h5", "all.h5", {"--all-estimators", "--estimator-particles", "5"}),
+              AllOf(HasSubstr("estimates of the input: 3000 identical to the bit, 0 different"),
+                    HasSubstr("scheduled does not fly")));
+  const auto all = read_rows(folder_.path("all.h5"));
+  constexpr int shadows = 11;
+  for (int i = 0; i < shadows; ++i)
+    EXPECT_EQ(rows_of(all, 1, static_cast<RowKind>(static_cast<int>(RowKind::shadow) + i)).size(), 3000u) << i;
+  EXPECT_EQ(all.size(), samples.size() * (1 + shadows));
 
   listener_.status.clear();
   monitor = record("replayed.h5");
