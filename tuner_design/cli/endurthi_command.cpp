@@ -6,6 +6,7 @@
 #include "deploy/runtime/files/atomic_file.h"
 #include "tuner_design/print/endurthi_health_text.h"
 #include "tuner_design/print/endurthi_linear_text.h"
+#include "tuner_design/print/endurthi_ukf_text.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -39,10 +40,29 @@ void show(int table, Study (*run)(const EndurthiArguments&, const StudyGiven&, l
       console, output, [&] { return as_json(study); }, [&](std::ostream& out) { print(study, table, out); });
 }
 
+void ukf_study(const std::string& study, const EndurthiArguments& arguments, const StudyGiven& given,
+               const std::string& csv, const OutputOptions& output, const Console& console) {
+  if (!csv.empty()) throw CLI::ValidationError("--csv", "does not go with " + study + "; --json has every number");
+  if (study == "endurthi-ukf-pendulum") {
+    const auto pendulum = run_pendulum_study({.seed = given.seed});
+    return print_result(
+        console, output, [&] { return pendulum_study_as_json(pendulum); },
+        [&](std::ostream& out) { print_pendulum_study(pendulum, out); });
+  }
+  HealthStudyOptions options = arguments.health;
+  options.engine = given.engine;
+  options.seed = given.seed;
+  options.threads = given.threads;
+  const auto turbofan = run_ukf_turbofan(options);
+  print_result(
+      console, output, [&] { return ukf_turbofan_as_json(turbofan); },
+      [&](std::ostream& out) { print_ukf_turbofan(turbofan, out); });
+}
+
 }  // namespace
 
 bool is_endurthi_study(const std::string& study) {
-  return study.starts_with("endurthi-") && study.size() == std::string("endurthi-1").size();
+  return study.starts_with("endurthi-");
 }
 
 void add_endurthi_options(CLI::App& command, EndurthiArguments& arguments) {
@@ -66,6 +86,8 @@ void add_endurthi_options(CLI::App& command, EndurthiArguments& arguments) {
 
 void endurthi_study(const std::string& study, const EndurthiArguments& arguments, const StudyGiven& given,
                     const std::string& csv, const OutputOptions& output, const Console& console) {
+  if (study == "endurthi-ukf-pendulum" || study == "endurthi-ukf-turbofan")
+    return ukf_study(study, arguments, given, csv, output, console);
   const int table = study.back() - '0';
   if (table <= 3)
     return show(table, linear_study, linearisation_study_csv, linearisation_study_as_json, print_linearisation_study,

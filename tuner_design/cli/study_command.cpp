@@ -180,13 +180,38 @@ void add_study_command(CLI::App& app, Action& run) {
   command
       ->add_option("study", arguments->study,
                    "Which table, faults, false-alarms, flight, starts, margin, points, robust, family, "
-                   "kosanam-5.1 to -5.3, kosanam-ga, endurthi-1 to -5, or lu-4 to -9")
+                   "kosanam-5.1 to -5.3, kosanam-ga, endurthi-1 to -5, "
+                   "endurthi-ukf-pendulum, endurthi-ukf-turbofan, or lu-4 to -9")
       ->required()
-      ->check(CLI::IsMember(
-          {"simon-garg-4", "simon-garg-5", "simon-garg-6", "simon-garg-7", "faults",      "false-alarms", "flight",
-           "starts",       "margin",       "points",       "robust",       "family",      "lu-4",         "lu-5",
-           "lu-6",         "lu-7",         "lu-8",         "lu-9",         "kosanam-5.1", "kosanam-5.2",  "kosanam-5.3",
-           "kosanam-ga",   "endurthi-1",   "endurthi-2",   "endurthi-3",   "endurthi-4",  "endurthi-5"}));
+      ->check(CLI::IsMember({"simon-garg-4",
+                             "simon-garg-5",
+                             "simon-garg-6",
+                             "simon-garg-7",
+                             "faults",
+                             "false-alarms",
+                             "flight",
+                             "starts",
+                             "margin",
+                             "points",
+                             "robust",
+                             "family",
+                             "lu-4",
+                             "lu-5",
+                             "lu-6",
+                             "lu-7",
+                             "lu-8",
+                             "lu-9",
+                             "kosanam-5.1",
+                             "kosanam-5.2",
+                             "kosanam-5.3",
+                             "kosanam-ga",
+                             "endurthi-1",
+                             "endurthi-2",
+                             "endurthi-3",
+                             "endurthi-4",
+                             "endurthi-5",
+                             "endurthi-ukf-pendulum",
+                             "endurthi-ukf-turbofan"}));
   CLI::Option* model = command
                            ->add_option("--model", arguments->model,
                                         std::string(model_help) + "; default: our engine at cruise, of kosanam MAPSS")

@@ -14,13 +14,9 @@
 namespace ehm::tuner_design::endurthi {
 namespace {
 
-constexpr int samples_a_flight = 30;
 constexpr std::size_t kinds = filter_kind_names.size();
 
-/// The settled engine of one flight, absolute, without noise.
-struct FlightTruth {
-  Eigen::VectorXd health_percent, y, u;
-};
+}  // namespace
 
 FlightTruth truth_of(const StudyPoint& point, double cycles) {
   const engine_sim::HealthVector all = worn_after(cycles);
@@ -30,6 +26,18 @@ FlightTruth truth_of(const StudyPoint& point, double cycles) {
   const StudyPoint worn = point.worn(h);
   return {100.0 * h, worn.sensor_trim(), worn.control_trim()};
 }
+
+HealthErrors errors_of(const Eigen::VectorXd& mean_squares, const Eigen::VectorXd& change) {
+  const auto numbers_and_mean = [](const Eigen::VectorXd& v) {
+    std::vector<double> numbers(v.begin(), v.end());
+    numbers.push_back(v.mean());
+    return numbers;
+  };
+  const Eigen::VectorXd percent = mean_squares.cwiseSqrt();
+  return {numbers_and_mean(percent), numbers_and_mean(100.0 * percent.cwiseQuotient(change.cwiseAbs()))};
+}
+
+namespace {
 
 std::vector<FlightTruth> truths_of(const StudyPoint& point, const HealthStudyOptions& options,
                                    const std::function<void(std::size_t)>& done) {
@@ -62,17 +70,6 @@ void fly(const StudyPoint& point, const FlightTruth& truth, RandomStream& random
 
 std::vector<double> numbers_of(const Eigen::VectorXd& v) {
   return {v.begin(), v.end()};
-}
-
-HealthErrors errors_of(const Eigen::VectorXd& mean_squares, const Eigen::VectorXd& change) {
-  HealthErrors errors;
-  const Eigen::VectorXd percent = mean_squares.cwiseSqrt(),
-                        of_change = 100.0 * percent.cwiseQuotient(change.cwiseAbs());
-  errors.percent = numbers_of(percent);
-  errors.percent.push_back(percent.mean());
-  errors.of_change = numbers_of(of_change);
-  errors.of_change.push_back(of_change.mean());
-  return errors;
 }
 
 ModelHealth model_health(const StudyPoint& point, std::string name, const Eigen::MatrixXd& jacobian,

@@ -61,6 +61,16 @@ struct HealthStudy {
   std::vector<HealthPoint> points;
 };
 
+inline constexpr int samples_a_flight = 30;
+
+/// The settled engine of one flight, absolute, without noise.
+struct FlightTruth {
+  Eigen::VectorXd health_percent, y, u;
+};
+FlightTruth truth_of(const StudyPoint& point, double cycles);
+/// Root mean squares, percent and percent of the change, with their means at the end.
+HealthErrors errors_of(const Eigen::VectorXd& mean_squares, const Eigen::VectorXd& change);
+
 inline constexpr std::size_t life_model = 15;  ///< LIN120
 
 /// `progress`: share of the work.
