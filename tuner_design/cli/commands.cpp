@@ -19,7 +19,7 @@
 #include "tuner_design/cli/linearise_command.h"
 #include "tuner_design/cli/report_command.h"
 #include "tuner_design/cli/sensors_command.h"
-#include "tuner_design/cli/study_command.h"
+#include "tuner_design/cli/studies/study_command.h"
 #include "tuner_design/cli/sweep_command.h"
 #include "tuner_design/print/check_text.h"
 

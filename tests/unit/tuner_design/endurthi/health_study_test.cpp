@@ -13,7 +13,7 @@
 #include "tuner_design/endurthi/wear_law.h"
 #include "tuner_design/linearise/step_study.h"
 #include "tuner_design/monte_carlo/random_stream.h"
-#include "tuner_design/print/endurthi_health_text.h"
+#include "tuner_design/print/studies/endurthi_health_text.h"
 
 namespace ehm::tuner_design::endurthi {
 namespace {

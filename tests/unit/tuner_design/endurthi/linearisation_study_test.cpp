@@ -13,7 +13,7 @@
 #include "engine_sim/linear_model/discretise.h"
 #include "tuner_design/endurthi/published.h"
 #include "tuner_design/linearise/step_study.h"
-#include "tuner_design/print/endurthi_linear_text.h"
+#include "tuner_design/print/studies/endurthi_linear_text.h"
 
 namespace ehm::tuner_design::endurthi {
 namespace {

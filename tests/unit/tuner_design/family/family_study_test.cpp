@@ -16,7 +16,7 @@
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/linearise/linearise.h"
-#include "tuner_design/print/family_text.h"
+#include "tuner_design/print/studies/family_text.h"
 
 namespace ehm::tuner_design {
 namespace {

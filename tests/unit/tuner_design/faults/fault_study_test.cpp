@@ -14,8 +14,8 @@
 #include "tests/unit/tuner_design/test_models.h"
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/linearise/linearise.h"
-#include "tuner_design/print/false_alarm_text.h"
-#include "tuner_design/print/fault_study_text.h"
+#include "tuner_design/print/studies/false_alarm_text.h"
+#include "tuner_design/print/studies/fault_study_text.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -13,7 +13,7 @@
 #include "tuner_design/design/design_tuner.h"
 #include "tuner_design/faults/mission_fault_study.h"
 #include "tuner_design/linearise/linearise.h"
-#include "tuner_design/print/mission_fault_text.h"
+#include "tuner_design/print/studies/mission_fault_text.h"
 
 namespace ehm::tuner_design {
 namespace {

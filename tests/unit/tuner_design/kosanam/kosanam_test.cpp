@@ -14,7 +14,7 @@
 #include "tuner_design/kosanam/gain_search.h"
 #include "tuner_design/kosanam/mapss_model.h"
 #include "tuner_design/kosanam/robust_tables.h"
-#include "tuner_design/print/kosanam_text.h"
+#include "tuner_design/print/studies/kosanam_text.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "engine_sim/engines/jt9d_engine.h"
 #include "tuner_design/lu/published_lu.h"
-#include "tuner_design/print/lu_text.h"
+#include "tuner_design/print/studies/lu_text.h"
 
 namespace ehm::tuner_design {
 namespace {

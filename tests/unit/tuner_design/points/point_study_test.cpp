@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "engine_sim/engines/jt9d_engine.h"
-#include "tuner_design/print/point_study_text.h"
+#include "tuner_design/print/studies/point_study_text.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "tests/unit/tuner_design/test_models.h"
-#include "tuner_design/print/robust_study_text.h"
+#include "tuner_design/print/studies/robust_study_text.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/cli/fault_study_command.h"
+#include "tuner_design/cli/studies/fault_study_command.h"
 
 #include <cmath>
 
@@ -7,9 +7,9 @@
 #include "deploy/runtime/files/file_error.h"
 #include "engine_sim/scenario/mission.h"
 #include "monitor/design/design_file.h"
-#include "tuner_design/print/false_alarm_text.h"
-#include "tuner_design/print/fault_study_text.h"
-#include "tuner_design/print/mission_fault_text.h"
+#include "tuner_design/print/studies/false_alarm_text.h"
+#include "tuner_design/print/studies/fault_study_text.h"
+#include "tuner_design/print/studies/mission_fault_text.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/cli/lu_study_command.h"
+#include "tuner_design/cli/studies/lu_study_command.h"
 
 #include "deploy/runtime/files/atomic_file.h"
-#include "tuner_design/print/lu_text.h"
+#include "tuner_design/print/studies/lu_text.h"
 
 namespace ehm::tuner_design {
 

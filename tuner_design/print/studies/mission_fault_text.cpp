@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/print/mission_fault_text.h"
+#include "tuner_design/print/studies/mission_fault_text.h"
 
 #include <fmt/format.h>
 

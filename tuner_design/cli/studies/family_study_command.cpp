@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/cli/family_study_command.h"
+#include "tuner_design/cli/studies/family_study_command.h"
 
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "monitor/design/design_file.h"
-#include "tuner_design/print/family_text.h"
+#include "tuner_design/print/studies/family_text.h"
 
 namespace ehm::tuner_design {
 

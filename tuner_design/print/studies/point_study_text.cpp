@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/print/point_study_text.h"
+#include "tuner_design/print/studies/point_study_text.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tuner_design/cli/command.h"
-#include "tuner_design/cli/flight_study_command.h"
+#include "tuner_design/cli/studies/flight_study_command.h"
 #include "tuner_design/endurthi/health_study.h"
 
 namespace ehm::tuner_design {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/cli/kosanam_command.h"
+#include "tuner_design/cli/studies/kosanam_command.h"
 
 #include <ostream>
 #include <stdexcept>
@@ -7,7 +7,7 @@
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "tuner_design/print/check_text.h"
-#include "tuner_design/print/kosanam_text.h"
+#include "tuner_design/print/studies/kosanam_text.h"
 
 namespace ehm::tuner_design {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/print/endurthi_ukf_text.h"
+#include "tuner_design/print/studies/endurthi_ukf_text.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/cli/endurthi_command.h"
+#include "tuner_design/cli/studies/endurthi_command.h"
 
 #include <ostream>
 
 #include "deploy/runtime/files/atomic_file.h"
-#include "tuner_design/print/endurthi_health_text.h"
-#include "tuner_design/print/endurthi_linear_text.h"
-#include "tuner_design/print/endurthi_ukf_text.h"
+#include "tuner_design/print/studies/endurthi_health_text.h"
+#include "tuner_design/print/studies/endurthi_linear_text.h"
+#include "tuner_design/print/studies/endurthi_ukf_text.h"
 
 namespace ehm::tuner_design {
 namespace {

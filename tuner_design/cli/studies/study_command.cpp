@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/cli/study_command.h"
+#include "tuner_design/cli/studies/study_command.h"
 
 #include <memory>
 #include <ostream>
@@ -8,18 +8,18 @@
 #include "deploy/runtime/files/file_error.h"
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "tuner_design/cli/design_command.h"
-#include "tuner_design/cli/endurthi_command.h"
 #include "tuner_design/cli/engine_option.h"
-#include "tuner_design/cli/family_study_command.h"
-#include "tuner_design/cli/fault_study_command.h"
-#include "tuner_design/cli/flight_study_command.h"
 #include "tuner_design/cli/import_options.h"
-#include "tuner_design/cli/kosanam_command.h"
-#include "tuner_design/cli/lu_study_command.h"
+#include "tuner_design/cli/studies/endurthi_command.h"
+#include "tuner_design/cli/studies/family_study_command.h"
+#include "tuner_design/cli/studies/fault_study_command.h"
+#include "tuner_design/cli/studies/flight_study_command.h"
+#include "tuner_design/cli/studies/kosanam_command.h"
+#include "tuner_design/cli/studies/lu_study_command.h"
 #include "tuner_design/kosanam/mapss_model.h"
 #include "tuner_design/linearise/linearise.h"
 #include "tuner_design/print/check_text.h"
-#include "tuner_design/print/robust_study_text.h"
+#include "tuner_design/print/studies/robust_study_text.h"
 #include "tuner_design/robust/robust_study.h"
 #include "tuner_design/studies/half_worn.h"
 #include "tuner_design/studies/simon_garg_table.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/cli/flight_study_command.h"
+#include "tuner_design/cli/studies/flight_study_command.h"
 
 #include <cmath>
 #include <utility>
@@ -7,10 +7,10 @@
 #include "deploy/runtime/files/file_error.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/make_scheduled.h"
-#include "tuner_design/print/flight_study_text.h"
-#include "tuner_design/print/margin_study_text.h"
-#include "tuner_design/print/point_study_text.h"
-#include "tuner_design/print/start_study_text.h"
+#include "tuner_design/print/studies/flight_study_text.h"
+#include "tuner_design/print/studies/margin_study_text.h"
+#include "tuner_design/print/studies/point_study_text.h"
+#include "tuner_design/print/studies/start_study_text.h"
 
 namespace ehm::tuner_design {
 namespace {
