@@ -89,7 +89,7 @@ struct EstimatorOptions {
   std::string particle_weights = "likelihood", particle_jacobian = "shared";  ///< of ekpf, cekpf
   std::string constrained_of = "time_varying";  ///< of constrained: whose estimates it constrains
   std::string constraint = "projection";        ///< of constrained: how (constraint_choices)
-  double constraint_margin_sigma = 2.0;         ///< of constrained: how far behind the estimate its bound stays
+  double constraint_margin_sigma = 3.0;         ///< of constrained: how far behind the estimate its bound stays
   bool constraint_feeds_back = false;           ///< of constrained: the one inside goes on from the constrained health
   std::string wear_raises;  ///< of constrained: names of what wear raises, with commas between; empty: turbines' flows
   friend bool operator==(const EstimatorOptions&, const EstimatorOptions&) = default;

@@ -44,7 +44,8 @@ void ConstrainedEstimator::update(SensorMask fused, std::int64_t hold) noexcept 
   inner_->update(fused, hold);
   constrain();
   if (!estimate_.settled || !estimate_.holds) return;
-  constraint_.take(estimate_.health - options_.margin_sigma * options_.direction.cwiseProduct(estimate_.health_sigma));
+  const HealthVector margin = options_.margin_sigma * inner_->estimate().health_sigma;
+  constraint_.take(estimate_.health - options_.direction.cwiseProduct(margin));
   bound_ = true;
 }
 

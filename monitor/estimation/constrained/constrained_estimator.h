@@ -8,7 +8,7 @@
 //   projection_identity   the nearest by W = I: the clamp; also where P has no way into the box
 //   truncation            the mean of N(xhat, P) inside the box (truncated_gaussian.h)
 //
-// and the box closes on it, `margin_sigma` of its sigma behind, as soon as the one inside has settled: a start, whose
+// and the box closes on it, `margin_sigma` of the sigma inside behind, as soon as the one inside has settled: a start, whose
 // first estimates are noise, binds nobody. The sigma of a projection is that of the one inside, since it says nothing of its own; that of the truncation
 // is the truncated Gaussian's. Auxiliary outputs, innovations and the filter's own sigma are those of the one inside;
 // where the constrained health feeds back (Estimator::correct_health) they follow it from the next sample on.
@@ -34,7 +34,7 @@ enum class ConstraintWay { projection, projection_identity, truncation };
 struct ConstrainedOptions {
   ConstraintWay way = ConstraintWay::projection;
   bool feeds_back = false;
-  double margin_sigma = 2.0;
+  double margin_sigma = 3.0;
   HealthVector direction;  ///< health_constraint.h, p
 };
 

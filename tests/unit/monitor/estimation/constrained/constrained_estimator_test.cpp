@@ -109,6 +109,34 @@ TEST(ConstrainedEstimator, ItsBoundStaysBehindByTheMargin) {
   EXPECT_NEAR(constrained.constraint().lower()(3), estimate.health(3) - 2.0 * estimate.health_sigma(3), 1e-12);
 }
 
+// Nothing to be gained there, and with the margin next to nothing lost: the ratchet holds still.
+TEST(ConstrainedEstimator, CostsAnEngineThatDoesNotWearNextToNothing) {
+  constexpr std::uint64_t engines = 10;
+  constexpr int samples = 3000;
+  for (const char* of : {"time_varying", "gauss_markov", "tuner"}) {
+    for (const char* way : {"projection", "projection_identity", "truncation"}) {
+      EstimatorOptions options = options_of(way, false, of);
+      options.constraint_margin_sigma = EstimatorOptions().constraint_margin_sigma;
+      const auto constrained = make(options), inside = make({}, of);
+      double error = 0.0, error_inside = 0.0;
+      for (std::uint64_t seed = 0; seed < engines; ++seed) {
+        auto flight = some_engine(100 + seed), twin = some_engine(100 + seed);
+        constrained->reset();
+        inside->reset();
+        settle(*constrained, flight);
+        settle(*inside, twin);
+        for (int k = 0; k < samples; ++k) {
+          fly(*constrained, flight);
+          fly(*inside, twin);
+        }
+        error += (constrained->estimate().health - flight.health()).squaredNorm();
+        error_inside += (inside->estimate().health - twin.health()).squaredNorm();
+      }
+      EXPECT_LT(error, 1.05 * error_inside) << way << " of " << of;
+    }
+  }
+}
+
 TEST(ConstrainedEstimator, AResetAndAKnownStartOpenTheBox) {
   const auto made = make(options_of("projection", false));
   auto& constrained = dynamic_cast<ConstrainedEstimator&>(*made);
