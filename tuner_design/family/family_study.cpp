@@ -40,6 +40,10 @@ struct Fliers {
   std::vector<std::shared_ptr<const estimation::Estimator>> at_point, in_flight;
 };
 
+bool of_particles(const std::string& name) {
+  return name == "particle" || name == "ekpf" || name == "cekpf";
+}
+
 /// Every estimator of the table that the design has the means for. Sensors at the point have no lags: nor have they for
 /// who knows of lags.
 Fliers fliers_of(const design::Design& design, const FamilyOptions& options) {
@@ -51,7 +55,7 @@ Fliers fliers_of(const design::Design& design, const FamilyOptions& options) {
     try {
       std::shared_ptr<const estimation::Estimator> here = design::make_estimator(kind.name, design, at_point, {}),
                                                    aloft;
-      if (kind.basis == design::EstimatorBasis::engine)
+      if (kind.basis == design::EstimatorBasis::engine && !of_particles(kind.name))
         aloft = design::make_estimator(kind.name, coarse, in_flight, {});
       fliers.names.emplace_back(kind.name);
       fliers.at_point.push_back(here);
@@ -128,10 +132,10 @@ FamilyStudy run_family_study(const design::Design& design, const FamilyOptions& 
                     .step_s = design.model.sample_time_s,
                     .health_sigma = design.model.health_sigma,
                     .fliers = fliers.at_point};
-  const std::size_t cases = family_case_names.size() - (options.whole_flight ? 0 : 1);
+  const std::size_t cases = options.cases.size();
   for (std::size_t c = 0; c < cases; ++c) {
     std::size_t engines = options.engines;
-    fleet.what = static_cast<FamilyCase>(c);
+    fleet.what = options.cases[c];
     if (fleet.what == FamilyCase::flight) {
       fleet.engine = *flown_engine(*options.engine, flight_step_s);
       fleet.step_s = flight_step_s;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/studies/family_study_command.h"
 
+#include <vector>
+
 #include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "monitor/design/design_file.h"
@@ -9,8 +11,9 @@
 namespace ehm::tuner_design {
 
 void add_family_study_options(CLI::App& command, FamilyOptions& options) {
-  command.add_flag("!--no-whole-flight", options.whole_flight,
-                   "family: without the two-hour flights, which take longest");
+  command.add_flag_callback(
+      "--no-whole-flight", [&options] { std::erase(options.cases, FamilyCase::flight); },
+      "family: without the two-hour flights");
 }
 
 void family_study(const std::string& design_file, const FamilyOptions& options, const std::string& csv,
