@@ -100,7 +100,8 @@ TEST(ConstrainedTables, TheConstraintGainsAndTheRatchetLoses) {
 }
 
 // Asked: constrained over unconstrained as published, 0.80, and 0.93 to 0.97 of the truth within the truncation's sigma.
-// Measured: 0.91 with the wear table, where LPT flow moves by three sigma in a life, 0.85 with 3 % each.
+// Measured: of the thesis' way 0.91 with the wear table, where LPT flow moves by three sigma in a life, 0.85 with 3 %
+// each; of the truncation with its bound two sigma behind 0.83, its sigma covers 0.953.
 TEST(ConstrainedTables, TheFiguresThatWereAsked) {
   using namespace constrained_case;
   ConstrainedTablesOptions options;
@@ -108,7 +109,8 @@ TEST(ConstrainedTables, TheFiguresThatWereAsked) {
   options.sweep = {3.0};
   const ConstrainedTables tables = constrained_tables(mapss_model(), options);
   EXPECT_NEAR(tables.ratio(identity), 0.91, 0.01);
-  const double coverage = tables.table().filters[truncation_3_behind].coverage.mean();
+  EXPECT_NEAR(tables.ratio(truncation_2_behind), 0.83, 0.01);
+  const double coverage = tables.table().filters[truncation_2_behind].coverage.mean();
   EXPECT_GE(coverage, 0.93);
   EXPECT_LE(coverage, 0.97);
   options.batch.runs = 10;
