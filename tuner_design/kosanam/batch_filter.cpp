@@ -36,8 +36,9 @@ void BatchFilter::take(const Eigen::VectorXd& y, const SteadyFilter& gain) {
   health_ = estimate_.tail(problem_.health);
   sigma_ = gain.P.diagonal().tail(problem_.health).cwiseSqrt();
   if (case_.way == BatchWay::none) return;
+  const HealthVector margin = case_.margin_sigma * sigma_;
   constrain(gain);
-  constraint_.take(health_ - case_.margin_sigma * constraint_.direction().cwiseProduct(sigma_));
+  constraint_.take(health_ - constraint_.direction().cwiseProduct(margin));
 }
 
 void BatchFilter::constrain(const SteadyFilter& gain) {

@@ -22,7 +22,7 @@ struct FilterCase {
   std::optional<SteadyFilter> steady;  ///< nothing: time-varying
   BatchWay way = BatchWay::none;
   bool feeds_back = false;
-  double margin_sigma = 0.0;  ///< by which the box stays behind
+  double margin_sigma = 0.0;  ///< of the plain filter, by which the box stays behind
 };
 
 /// The gain of a sample, and the covariance after its update; not data's.

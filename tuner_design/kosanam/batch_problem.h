@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The filtering problem of Kosanam's thesis (sections 3.3 and 5.1): a linear engine at one point, its health appended to
-// the state as a random walk,
+// The filtering problem of Kosanam's thesis (sections 3.3 and 5.1): a linear engine at one point, its health appended
+// to the state as a random walk,
 //   [x; h][k+1] = [A L; 0 I] [x; h][k] + w,   y = [C M] [x; h] + v,   w ~ (0, blkdiag(Qx, qh I)),   v ~ (0, diag(R))
 // sampled in short batches, one a flight: 30 samples at 10 Hz, state and covariance carried over. n + p states, m
 // sensors. Scaled units (engine_sim/linear_model/scaling.h): health in percent. At m >= p the pair is detectable; the

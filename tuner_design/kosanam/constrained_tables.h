@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Kosanam's table 5.1 and figures 5.1 to 5.3: what a Kalman filter gains when it knows that health does not improve, and
-// what the constraint does to it beside: the ratchet (theory.md, "Constrained filters"). The same filters besides over a
-// sweep of the random walk's variance qh; the table is that of the qh at which the plain filter errs least.
+// Kosanam's table 5.1 and figures 5.1 to 5.3: what a Kalman filter gains when it knows that health does not improve,
+// and what the constraint does to it beside: the ratchet (theory.md, "Constrained filters"). The same filters besides
+// over a sweep of the random walk's variance qh; the table is that of the qh at which the plain filter errs least.
 //
 // *Readings*: the thesis constrains each time step against its last constrained estimate, and does not say by which
-// weight, nor whether it feeds back: all are flown. qh of the engine's file; its "1e-2" has no unit. Health wears to the
-// end of the wear table (wear_law.h), whatever the number of flights. Errors: @throws what batch_problem and
+// weight, nor whether it feeds back: all are flown. qh of the engine's file; its "1e-2" has no unit. Health wears to
+// the end of the wear table (wear_law.h), whatever the number of flights. Errors: @throws what batch_problem and
 // steady_filter throw.
 
 #include <array>

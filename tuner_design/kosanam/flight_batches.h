@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Filters on batches of samples from an engine that wears: `runs` engines of the same law of wear and different noise, a
-// batch of `samples` each flight. All filters see the same samples. Errors are those of the last sample of a flight,
+// Filters on batches of samples from an engine that wears: `runs` engines of the same law of wear and different noise,
+// a batch of `samples` each flight. All filters see the same samples. Errors are those of the last sample of a flight,
 // percent of nominal. The engine starts a flight as it ended the last one, and is in balance with its health at the
 // first. Per run the noise depends on seed and run alone: the same on any number of threads.
 

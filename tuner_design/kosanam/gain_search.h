@@ -5,10 +5,11 @@
 //   [s; v]+ = [1 T; 0 1] [s; v] + [T^2/2; T] (a + w),   y = s + v_y,   estimate by a steady gain K, 2 x 1
 // a known. Noise uncertain: a run's variances are (1 + alpha) and (1 + beta) times the model's, alpha, beta ~ N(0,
 // spread^2), at least a tenth is left. Model uncertain: the vehicle answers with (1 + gamma) a, gamma ~ N(0,
-// answer_spread^2). Error: root mean square of position over runs and samples, ft, on runs that the search has not seen.
+// answer_spread^2). Error: root mean square of position over runs and samples, ft, on runs that the search has not
+// seen.
 //
-// *Readings*: the thesis gives no numbers. T 0.1 s, noise of position 10 ft, of acceleration 0.2 ft/s^2, a = 1 ft/s^2 are
-// the vehicle of D. Simon, "Kalman Filtering", Embedded Systems Programming, June 2001; its genetic algorithm (rank
+// *Readings*: the thesis gives no numbers. T 0.1 s, noise of position 10 ft, of acceleration 0.2 ft/s^2, a = 1 ft/s^2
+// are the vehicle of D. Simon, "Kalman Filtering", Embedded Systems Programming, June 2001; its genetic algorithm (rank
 // selection, 50 % elitism, uniform mutation) is NLopt's GN_ESCH here (da Silva Santos et al. 2010): we own none.
 // Deterministic: same seed, same bytes. Errors: none.
 

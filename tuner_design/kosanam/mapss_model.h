@@ -5,8 +5,8 @@
 //
 // Source: D. Simon, sensor selection problem, matrices.mat (2004), as it stands in the public repository
 // lchauhan8642/Benchmark-using-BBO-PSO-GA, rounded to 10 digits. The file names neither its channels nor its sample
-// time. *Reading*: the health parameters are in the order of Kosanam's list (section 3.3), which has as many; one sample
-// is 0.1 s, which makes the spools' time constants 1 s and the metal's 13 s. Health in fractions. Errors: none.
+// time. *Reading*: the health parameters are in the order of Kosanam's list (section 3.3), which has as many; one
+// sample is 0.1 s, which makes the spools' time constants 1 s and the metal's 13 s. Health in fractions. Errors: none.
 
 #include "engine_sim/linear_model/linear_model.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Kosanam's tables 5.2 and 5.3 and figure 5.6: the steady Kalman filter and a robust one on batches of flights, where the
-// sensors' noise is as the model says, and where it is not. The robust gain is the closed form of robust/robust_gain.h
-// (the thesis: 96 h of descent to a gain that is unstable), by itself and mixed as the thesis had to,
+// Kosanam's tables 5.2 and 5.3 and figure 5.6: the steady Kalman filter and a robust one on batches of flights, where
+// the sensors' noise is as the model says, and where it is not. The robust gain is the closed form of
+// robust/robust_gain.h (the thesis: 96 h of descent to a gain that is unstable), by itself and mixed as the thesis had
+// to,
 //   K = eta Ks + (1 - eta) Kr,   eta = 0.7
 // for J = rho1 (V1 + V2) + rho2 V2^2 (sigma1^2 = 0, sigma2^2 = 1), V in percent squared of health.
 //

@@ -9,8 +9,9 @@
 //   x = xhat + P_:S mu_S,   P_SS mu_S = b_S - xhat_S,   mu_j >= 0 at a lower bound, mu_j <= 0 at an upper one
 // which is the mean of N(xhat, P) given x_S = b_S: P is used as it is, never inverted, and may be singular. S is found
 // by a dual active set method: it starts from xhat with S empty, lets the most violated bound in (in its standard
-// deviations), and drops a bound whose multiplier would change its sign on the way. Each step raises the dual objective,
-// so that it ends; the bound on steps is for roundoff. Units: any, the same for all but P, which has their squares.
+// deviations), and drops a bound whose multiplier would change its sign on the way. Each step raises the dual
+// objective, so that it ends; the bound on steps is for roundoff. Units: any, the same for all but P, which has their
+// squares.
 //
 // Sources: Goldfarb & Idnani, A numerically stable dual method for solving strictly convex quadratic programs, Math.
 // Programming 27 (1983); Simon & Simon, Constrained Kalman filtering for turbofan engine health, ASME GT2003-38584.

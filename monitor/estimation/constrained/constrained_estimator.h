@@ -8,16 +8,17 @@
 //   projection_identity   the nearest by W = I: the clamp; also where P has no way into the box
 //   truncation            the mean of N(xhat, P) inside the box (truncated_gaussian.h)
 //
-// and the box closes on it, `margin_sigma` of the sigma inside behind, as soon as the one inside has settled: a start, whose
-// first estimates are noise, binds nobody. The sigma of a projection is that of the one inside, since it says nothing of its own; that of the truncation
-// is the truncated Gaussian's. Auxiliary outputs, innovations and the filter's own sigma are those of the one inside;
-// where the constrained health feeds back (Estimator::correct_health) they follow it from the next sample on.
+// and the box closes on it, `margin_sigma` of the sigma inside behind, as soon as the one inside has settled: a start,
+// whose first estimates are noise, binds nobody. The sigma of a projection is that of the one inside, since it says
+// nothing of its own; that of the truncation is the truncated Gaussian's. Auxiliary outputs, innovations and the
+// filter's own sigma are those of the one inside; where the constrained health feeds back (Estimator::correct_health)
+// they follow it from the next sample on.
 //
 // **The ratchet.** The box is made of noisy estimates and only ever closes: without a margin the estimate is biased the
 // way of wear, and where it feeds back the more so, since the filter forgets what it saw against it. A truncated mean
 // lies always before its bound, so that a bound at that mean runs away by itself: it needs a margin, and must not feed
-// back, which would count the same constraint again at every sample (theory.md, "Constrained filters", has the figures).
-// A reset, a start from a known engine, and with them maintenance open the box.
+// back, which would count the same constraint again at every sample (theory.md, "Constrained filters", has the
+// figures). A reset, a start from a known engine, and with them maintenance open the box.
 //
 // Source: Simon & Simon, ASME GT2003-38584; Int. J. of Systems Science 41 (2010). Errors: none after construction.
 // Real-time safe: yes, all but construction and clone().

@@ -8,8 +8,8 @@
 //
 // until maintenance lifts it. Against its own last estimate such a bound is a ratchet: noise can only push it on
 // (theory.md, "Constrained filters"); hence whoever calls take() does so with estimates that have settled, and with a
-// margin behind them. p parameters, channel units. Sources: Simon & Simon, ASME GT2003-38584; directions: Chatterjee & Litt,
-// NASA/TM-2003-212607 (wear over 6000 cycles). Errors: none. Real-time safe: yes, all but construction.
+// margin behind them. p parameters, channel units. Sources: Simon & Simon, ASME GT2003-38584; directions: Chatterjee &
+// Litt, NASA/TM-2003-212607 (wear over 6000 cycles). Errors: none. Real-time safe: yes, all but construction.
 
 #include <limits>
 #include <string_view>

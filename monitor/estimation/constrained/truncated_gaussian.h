@@ -6,10 +6,10 @@
 //   mu = E[u],   s^2 = E[(u - mu)^2]
 // and for x ~ N(xhat, P) with l <= x_i <= h, low = (l - xhat_i)/sqrt(P_ii), high likewise,
 //   xhat <- xhat + P_:i mu/sqrt(P_ii),   P <- P - (1 - s^2) P_:i P_i: / P_ii
-// Simon & Simon reach the same by an eigendecomposition and a Gram-Schmidt rotation that makes the constrained direction
-// the first of independent coordinates; written out, the rotation cancels. 0 <= s^2 <= 1 here, so that P stays
-// semidefinite. Each constraint takes what the ones before have left for a Gaussian: exact for one, and for several
-// where the coordinates are independent; else the order matters a little, and it is that of the coordinates.
+// Simon & Simon reach the same by an eigendecomposition and a Gram-Schmidt rotation that makes the constrained
+// direction the first of independent coordinates; written out, the rotation cancels. 0 <= s^2 <= 1 here, so that P
+// stays semidefinite. Each constraint takes what the ones before have left for a Gaussian: exact for one, and for
+// several where the coordinates are independent; else the order matters a little, and it is that of the coordinates.
 //
 // The moments are sums of a Gauss-Legendre rule over where the density is above e^-40 of its greatest value in the
 // interval, taken from there: no difference of error functions, so that they hold in the far tail (1e-13 at 1e6 sigma).

@@ -101,7 +101,7 @@ void print_all_filters(const ConstrainedTables& t, std::ostream& out) {
 void print_sweep(const ConstrainedTables& t, std::ostream& out) {
   using namespace constrained_case;
   constexpr std::array shown{
-      kalman, identity, projection, identity_fed_back, projection_behind_fed_back, truncation_3_behind};
+      kalman, identity, projection, identity_fed_back, projection_behind_fed_back, truncation_2_behind};
   out << "\n  the ratchet over qh: rms (bias), percent nominal; of the truncation its coverage besides\n"
       << fmt::format("  {:<8}", "qh x");
   for (const Case f : shown) {
@@ -114,7 +114,7 @@ void print_sweep(const ConstrainedTables& t, std::ostream& out) {
     for (const Case f : shown)
       out << fmt::format(
           "{:>22}", fmt::format("{:.3f} ({:+.3f})", point.result.mean_rms(f), point.result.filters[f].bias.mean()));
-    out << fmt::format("{:>8.3f}\n", point.result.filters[truncation_3_behind].coverage.mean());
+    out << fmt::format("{:>8.3f}\n", point.result.filters[truncation_2_behind].coverage.mean());
   }
 }
 

@@ -129,8 +129,8 @@ TEST_P(EveryEstimator, TheSameSamplesGiveTheSameBitsAndACloneIsANewOne) {
 }
 
 // Of a constrained one this says nothing new: it has not settled after 400 samples and binds nobody, so that the sigmas
-// are those of the one inside. Later its errors are not those that it states: a truncated Gaussian is none, a projection
-// keeps a sigma that is too large, and against its own noisy estimates it is biased
+// are those of the one inside. Later its errors are not those that it states: a truncated Gaussian is none, a
+// projection keeps a sigma that is too large, and against its own noisy estimates it is biased
 // (constrained/constrained_estimator_test.cpp).
 TEST_P(EveryEstimator, ErrorsOverTheFleetAreThoseThatItStates) {
   constexpr int engines = 300;

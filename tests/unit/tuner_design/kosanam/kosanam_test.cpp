@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tables of Kosanam's thesis on the MAPSS model, small: filters that know their model state their error, the
-// constraint gains against wear and the ratchet loses, the closed form wins where noise is wrong; the same on any number
-// of threads; what cannot be flown is named.
+// constraint gains against wear and the ratchet loses, the closed form wins where noise is wrong; the same on any
+// number of threads; what cannot be flown is named.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@
 namespace ehm::tuner_design {
 namespace {
 
-// Chatterjee & Litt's table at 3000 and 6000 cycles, at 12 cycles a flight: fan flow -2.04, -3.65, HPT flow +1.76, +2.57 %.
+// Chatterjee & Litt's table at 3000 and 6000 cycles, at 12 cycles a flight: fan flow -2.04, -3.65, HPT flow +1.76,
+// +2.57 %.
 TEST(WearLaw, GoesThroughTheTable) {
   const WearLaw law = wear_law(mapss_model().health, 12.0);
   EXPECT_TRUE(law.not_known.empty());
@@ -99,8 +100,9 @@ TEST(ConstrainedTables, TheConstraintGainsAndTheRatchetLoses) {
   EXPECT_EQ(constrained_tables_as_json(tables)["sweep"].size(), 2u);
 }
 
-// Asked: constrained over unconstrained as published, 0.80, and 0.93 to 0.97 of the truth within the truncation's sigma.
-// Measured: 0.91 with the wear table, where LPT flow moves by three sigma in a life, 0.85 with 3 % each.
+// Asked: constrained over unconstrained as published, 0.80, and 0.93 to 0.97 of the truth within the truncation's
+// sigma. Measured: of the thesis' way 0.91 with the wear table, where LPT flow moves by three sigma in a life, 0.85
+// with 3 % each; of the truncation with its bound two sigma behind 0.83, its sigma covers 0.953.
 TEST(ConstrainedTables, TheFiguresThatWereAsked) {
   using namespace constrained_case;
   ConstrainedTablesOptions options;
@@ -108,7 +110,8 @@ TEST(ConstrainedTables, TheFiguresThatWereAsked) {
   options.sweep = {3.0};
   const ConstrainedTables tables = constrained_tables(mapss_model(), options);
   EXPECT_NEAR(tables.ratio(identity), 0.91, 0.01);
-  const double coverage = tables.table().filters[truncation_3_behind].coverage.mean();
+  EXPECT_NEAR(tables.ratio(truncation_2_behind), 0.83, 0.01);
+  const double coverage = tables.table().filters[truncation_2_behind].coverage.mean();
   EXPECT_GE(coverage, 0.93);
   EXPECT_LE(coverage, 0.97);
   options.batch.runs = 10;

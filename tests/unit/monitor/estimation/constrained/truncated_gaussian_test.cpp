@@ -27,7 +27,8 @@ double mass(double u) {
   return 0.5 * std::erfc(u / std::numbers::sqrt2);
 }
 
-/// Johnson, Kotz & Balakrishnan, Continuous Univariate Distributions 1, section 13.10.1: differences of error functions.
+/// Johnson, Kotz & Balakrishnan, Continuous Univariate Distributions 1, section 13.10.1: differences of error
+/// functions.
 TruncatedMoments closed_form(double low, double high) {
   const double z = mass(low) - mass(high), mean = (density(low) - density(high)) / z;
   const double edges = (std::isinf(low) ? 0.0 : low * density(low)) - (std::isinf(high) ? 0.0 : high * density(high));
@@ -60,7 +61,8 @@ TEST(TruncatedGaussian, OfTheWholeLineAndOfAPointIsThat) {
   EXPECT_EQ(truncated_moments(1.5, 1.5).variance, 0.0);
 }
 
-// One-sided, low = a: mean a + 1/a - 2/a^3 + 10/a^5, variance 1/a^2 - 6/a^4 + 50/a^6 (asymptotic series of Mills' ratio).
+// One-sided, low = a: mean a + 1/a - 2/a^3 + 10/a^5, variance 1/a^2 - 6/a^4 + 50/a^6 (asymptotic series of Mills'
+// ratio).
 TEST(TruncatedGaussian, HoldsInTheFarTail) {
   for (const double a : {1e2, 1e4, 1e6, 1e8}) {
     const TruncatedMoments tail = truncated_moments(a, infinite), other = truncated_moments(-infinite, -a);
