@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include "tests/unit/monitor/nonlinear/cruise_engine.h"
@@ -25,6 +26,7 @@ struct Row {
   const char* name;
   NonlinearKind kind;
   bool gaussian;  ///< it holds the whole distribution; a few particles do not
+  friend void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
 };
 
 std::unique_ptr<Estimator> make(NonlinearKind kind) {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <string>
 
 #include "monitor/nonlinear/extended_filter.h"
@@ -29,6 +30,7 @@ struct Row {
   const char* name;
   std::function<std::unique_ptr<NonlinearFilter>()> make;
   bool exact;  ///< on a linear model it is the Kalman filter
+  friend void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
 };
 
 UnscentedOptions unscented(SigmaSet set, UnscentedForm form) {
