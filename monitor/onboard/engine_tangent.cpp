@@ -70,7 +70,9 @@ bool EngineTangent::answer(const sim::Operation& operation, const EngineMotion& 
 }
 
 void EngineTangent::renew(const sim::GasPathJacobian& jacobian) noexcept {
-  const auto metal = [&](Eigen::Index row) { return jacobian.row(row).segment<3>(as_index(sim::gas_path_input::first_metal)); };
+  const auto metal = [&](Eigen::Index row) {
+    return jacobian.row(row).segment<3>(as_index(sim::gas_path_input::first_metal));
+  };
 
   for (Eigen::Index k = 0; k < 3; ++k) metal_by_metal_.row(k) = metal(speed_count + k);
   for (Eigen::Index k = 0; k < speed_count; ++k) {
