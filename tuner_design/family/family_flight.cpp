@@ -89,6 +89,7 @@ class Flight {
     for (std::size_t i = 0; i < sample.sensors.size(); ++i) y(as_index(i)) = sample.sensors[i].value;
     now_.flight = {sample.flight.altitude_m, sample.flight.mach, sample.flight.delta_isa_k};
     now_.actuators = Eigen::Map<const Eigen::VectorXd>(sample.actuators.data(), as_index(sample.actuators.size()));
+    if (t == 0.0) before_ = now_;  // nothing acted before the first sample
     const bool judge = is_judged(t);
     for (std::size_t e = 0; e < estimators_.size(); ++e) {
       if (!estimators_[e]) continue;

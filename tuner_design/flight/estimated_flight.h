@@ -22,6 +22,7 @@ void estimate_flight(engine_sim::Simulation& simulation, double seconds, double 
     estimation::Conditions now;
     now.flight = {sample.flight.altitude_m, sample.flight.mach, sample.flight.delta_isa_k};
     now.actuators = Eigen::Map<const Eigen::VectorXd>(sample.actuators.data(), as_index(sample.actuators.size()));
+    if (k == 0) before = now;  // nothing acted before the first sample
     const estimation::SensorMask fused = spoil(y, static_cast<double>(k) * step_s);
     estimator.use(fused);
     estimator.predict(before, 1);
