@@ -106,17 +106,19 @@ void Schema::add_flags(CLI::App& app) {
   for (auto& entry : entries_) {
     // Entries may move while the schema grows: flags are added last, so a pointer to the entry is stable here.
     Entry* target = &entry;
-    app.add_option_function<std::string>(
-           flag_name(entry.key) + (entry.alias.empty() ? "" : "," + entry.alias),
-           [target](const std::string& text) {
-             target->flag_text = text;
-             target->flag_given = true;
-           },
-           entry.description + " [" + entry.allowed_text() + "; default " + entry.default_text + "; " +
-               environment_name(entry.key) + "]")
-        ->type_name("")
-        ->take_last()
-        ->group(flag_group);
+    CLI::Option* option = app.add_option_function<std::string>(
+                                 flag_name(entry.key) + (entry.alias.empty() ? "" : "," + entry.alias),
+                                 [target](const std::string& text) {
+                                   const bool alone = text.empty() && std::holds_alternative<bool*>(target->value);
+                                   target->flag_text = alone ? "true" : text;  // a switch
+                                   target->flag_given = true;
+                                 },
+                                 entry.description + " [" + entry.allowed_text() + "; default " + entry.default_text +
+                                     "; " + environment_name(entry.key) + "]")
+                              ->type_name("")
+                              ->take_last()
+                              ->group(flag_group);
+    if (std::holds_alternative<bool*>(entry.value)) option->expected(0, 1);
   }
 }
 

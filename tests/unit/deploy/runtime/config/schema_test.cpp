@@ -66,6 +66,20 @@ TEST_F(SchemaTest, TablesAreReadAfterAllKeysWhereverTheseAreSet) {
   EXPECT_EQ(name_at_table, "from the flag");
 }
 
+TEST_F(SchemaTest, ASwitchAloneMeansTrueAndTakesNoOtherFlagForItsValue) {
+  parse({"--names-on", "--checks-samples", "7"});
+  schema_.load("");
+  EXPECT_TRUE(values_.on);
+  EXPECT_EQ(values_.samples, 7);
+}
+
+TEST_F(SchemaTest, ASwitchMayBeSaidToBeOff) {
+  values_.on = true;
+  parse({"--names-on", "false"});
+  schema_.load("");
+  EXPECT_FALSE(values_.on);
+}
+
 TEST_F(SchemaTest, TellsWhichKeysWereGivenEvenWithTheirDefault) {
   EXPECT_TRUE(schema_.given().empty());
   parse({"--checks-samples", "5"});
