@@ -133,9 +133,10 @@ TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalT
                     HasSubstr("scheduled does not fly")));
   const auto all = read_rows(folder_.path("all.h5"));
   constexpr int shadows = 11;
-  for (int i = 0; i < shadows; ++i)
-    EXPECT_EQ(rows_of(all, 1, static_cast<RowKind>(static_cast<int>(RowKind::shadow) + i)).size(), 3000u) << i;
-  EXPECT_EQ(all.size(), samples.size() * (1 + shadows));
+  for (int i = 0; i <= shadows; ++i)
+    EXPECT_EQ(rows_of(all, 1, static_cast<RowKind>(static_cast<int>(RowKind::shadow) + i)).size(),
+              i < shadows ? 3000u : 0u)
+        << i;
 
   listener_.status.clear();
   monitor = record("replayed.h5");
