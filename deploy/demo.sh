@@ -90,6 +90,7 @@ case "$estimator" in
   *ekf | ukf | particle | *ekpf)  # their engine has the sensors of the demo's, which do not lag, and health that may step
     more+=(--estimator-lag-speed-s 0 --estimator-lag-pressure-s 0 --estimator-lag-temperature-s 0
            --estimator-health-walk-percent 0.003) ;;
+  constrained) more+=(--estimator-constrained-of gauss_markov) ;;  # what follows a step
 esac
 if "$mission"; then
   mkdir "$work/history"
