@@ -35,10 +35,6 @@ class ExtendedFilter final : public NonlinearFilter {
   bool foresee(StateSpace& model, const SensorVector& sigma) noexcept override;
   bool update(StateSpace& model, const SensorVector& innovation, SensorMask fused) noexcept override;
   bool advance(StateSpace& model) noexcept override;
-  [[nodiscard]] const SensorVector& predicted() const noexcept override { return predicted_; }
-  [[nodiscard]] const SensorVector& innovation_variance() const noexcept override { return innovation_variance_; }
-  [[nodiscard]] const OrderVector& estimate() const noexcept override { return x_; }
-  [[nodiscard]] const OrderMatrix& covariance() const noexcept override { return p_; }
 
  private:
   bool ask(StateSpace& model, const OrderVector& x) noexcept;
@@ -47,11 +43,8 @@ class ExtendedFilter final : public NonlinearFilter {
 
   FilterNoise noise_;
   ExtendedOptions options_;
-  OrderVector x_;  ///< within a sample x-, until the update
-  OrderMatrix p_;
   SensorVector variance_;  ///< R
-  SensorVector predicted_, innovation_variance_;
-  Response response_;  ///< at asked_
+  Response response_;      ///< at asked_
   Slopes slopes_;
   OrderVector asked_;
   bool answered_ = false;  ///< asked_ is of this sample

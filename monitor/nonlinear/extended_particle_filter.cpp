@@ -20,8 +20,7 @@ bool ExtendedParticleFilter::Density::factorise(const OrderMatrix& covariance) n
 }
 
 double ExtendedParticleFilter::Density::log_of(const OrderVector& deviation) const noexcept {
-  OrderVector z = deviation;
-  factor.triangularView<Eigen::Lower>().solveInPlace(z);
+  const OrderVector z = factor.triangularView<Eigen::Lower>().solve(deviation);
   return -0.5 * z.squaredNorm() - log_volume;
 }
 

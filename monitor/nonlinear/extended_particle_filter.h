@@ -52,10 +52,6 @@ class ExtendedParticleFilter final : public NonlinearFilter {
   bool foresee(StateSpace& model, const SensorVector& sigma) noexcept override;
   bool update(StateSpace& model, const SensorVector& innovation, SensorMask fused) noexcept override;
   bool advance(StateSpace& model) noexcept override;
-  [[nodiscard]] const SensorVector& predicted() const noexcept override { return predicted_; }
-  [[nodiscard]] const SensorVector& innovation_variance() const noexcept override { return innovation_variance_; }
-  [[nodiscard]] const OrderVector& estimate() const noexcept override { return x_; }
-  [[nodiscard]] const OrderMatrix& covariance() const noexcept override { return p_; }
 
  private:
   /// Of a Gaussian, by its Cholesky factor S: -|S^-1 d|^2/2 - ln det S, and a constant.
@@ -85,11 +81,10 @@ class ExtendedParticleFilter final : public NonlinearFilter {
   ExtendedParticleOptions options_;
   ParticleCloud cloud_;
   std::vector<Proposal> proposals_, spare_proposals_;
-  OrderVector x_;
-  OrderMatrix p_, transition_;                      ///< what leads to a particle: Q, and at the start P
+  OrderMatrix transition_;                          ///< what leads to a particle: Q, and at the start P
   Eigen::Array<bool, Eigen::Dynamic, 1> answered_;  ///< which particles' models did
   Eigen::MatrixXd readings_, next_, spare_next_;    ///< N x m, N x n
-  SensorVector sigma_, predicted_, innovation_variance_;
+  SensorVector sigma_;
   Response response_;
   bool moved_ = false;  ///< next_ is of these particles
 };

@@ -41,16 +41,21 @@ class NonlinearFilter {
   virtual bool advance(StateSpace& model) noexcept = 0;
 
   /// Of the readings, at the last foresee().
-  [[nodiscard]] virtual const SensorVector& predicted() const noexcept = 0;
+  [[nodiscard]] const SensorVector& predicted() const noexcept { return predicted_; }
   /// diag(H P H' + R), or what stands for it.
-  [[nodiscard]] virtual const SensorVector& innovation_variance() const noexcept = 0;
-  [[nodiscard]] virtual const OrderVector& estimate() const noexcept = 0;
-  [[nodiscard]] virtual const OrderMatrix& covariance() const noexcept = 0;
+  [[nodiscard]] const SensorVector& innovation_variance() const noexcept { return innovation_variance_; }
+  /// Of the last step: after advance() the predicted one.
+  [[nodiscard]] const OrderVector& estimate() const noexcept { return x_; }
+  [[nodiscard]] const OrderMatrix& covariance() const noexcept { return p_; }
 
  protected:
   NonlinearFilter() = default;
   NonlinearFilter(const NonlinearFilter&) = default;
   NonlinearFilter& operator=(const NonlinearFilter&) = default;
+
+  OrderVector x_;
+  OrderMatrix p_;
+  SensorVector predicted_, innovation_variance_;
 };
 
 }  // namespace ehm::nonlinear

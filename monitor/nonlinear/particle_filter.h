@@ -36,20 +36,14 @@ class ParticleFilter final : public NonlinearFilter {
   bool foresee(StateSpace& model, const SensorVector& sigma) noexcept override;
   bool update(StateSpace& model, const SensorVector& innovation, SensorMask fused) noexcept override;
   bool advance(StateSpace& model) noexcept override;
-  [[nodiscard]] const SensorVector& predicted() const noexcept override { return predicted_; }
-  [[nodiscard]] const SensorVector& innovation_variance() const noexcept override { return innovation_variance_; }
-  [[nodiscard]] const OrderVector& estimate() const noexcept override { return x_; }
-  [[nodiscard]] const OrderMatrix& covariance() const noexcept override { return p_; }
 
  private:
   FilterNoise noise_;
   ParticleOptions options_;
   ParticleCloud cloud_;
-  OrderVector x_;
-  OrderMatrix p_;
   Eigen::Array<bool, Eigen::Dynamic, 1> answered_;  ///< which particles' models did
   Eigen::MatrixXd readings_;                        ///< N x m
-  SensorVector sigma_, predicted_, innovation_variance_;
+  SensorVector sigma_;
   Response response_;
 };
 

@@ -36,10 +36,6 @@ class UnscentedFilter final : public NonlinearFilter {
   bool foresee(StateSpace& model, const SensorVector& sigma) noexcept override;
   bool update(StateSpace& model, const SensorVector& innovation, SensorMask fused) noexcept override;
   bool advance(StateSpace& model) noexcept override;
-  [[nodiscard]] const SensorVector& predicted() const noexcept override { return predicted_; }
-  [[nodiscard]] const SensorVector& innovation_variance() const noexcept override { return innovation_variance_; }
-  [[nodiscard]] const OrderVector& estimate() const noexcept override { return x_; }
-  [[nodiscard]] const OrderMatrix& covariance() const noexcept override { return p_; }
 
  private:
   /// The points around x_; the part of w is left to advance(). False: P is not definite.
@@ -52,12 +48,10 @@ class UnscentedFilter final : public NonlinearFilter {
   FilterNoise noise_;
   UnscentedOptions options_;
   SigmaPoints set_;
-  OrderVector x_;
-  OrderMatrix p_;
   estimation::BoundedMatrix<max_order, max_points> points_;
   bool drawn_ = false;  ///< points_ are those of the last advance()
   estimation::BoundedMatrix<estimation::max_sensors, max_points> readings_;
-  SensorVector sigma_, predicted_, innovation_variance_;
+  SensorVector sigma_;
   ReadingMatrix pyy_;                                                  ///< in sigmas
   estimation::BoundedMatrix<max_order, estimation::max_sensors> pxy_;  ///< the same
   Response response_;
