@@ -13,6 +13,10 @@ namespace {
 namespace sim = engine_sim;
 using onboard::speed_count;
 
+/// Of a point's flow balances: some 1e-5 %, where a sensor's noise is 0.1 %. What the reference itself is solved to is
+/// flow_balance.h's.
+constexpr double point_tolerance = 1e-7;
+
 }  // namespace
 
 EngineStateSpace::EngineStateSpace(std::shared_ptr<const onboard::OnBoardModel> model, Metal metal)
@@ -57,7 +61,8 @@ bool EngineStateSpace::respond(const OrderVector& x, Response& response) noexcep
   const sim::Operation operation = operation_at(x);
   const sim::SpoolSpeeds speeds = speeds_at(x);
   sim::GasPath gas;
-  sim::GasPathStatus status = engine_.evaluate_nearby(model_->engine(), operation, speeds, gas, metal());
+  sim::GasPathStatus status =
+      engine_.evaluate_nearby(model_->engine(), operation, speeds, gas, metal(), point_tolerance);
   // far from the reference: all the way from the design point
   if (status == sim::GasPathStatus::no_solution) status = engine_.evaluate(operation, speeds, gas, metal());
   if (status != sim::GasPathStatus::ok) return false;

@@ -84,9 +84,9 @@ GasPathStatus OnBoardEngine::evaluate(const Operation& operation, const SpoolSpe
 }
 
 GasPathStatus OnBoardEngine::evaluate_nearby(const Turbofan& engine, const Operation& operation,
-                                             const SpoolSpeeds& speeds, GasPath& gas,
-                                             const MetalTemperatures* metal) const noexcept {
-  FlowBalance balance(engine, balance_);
+                                             const SpoolSpeeds& speeds, GasPath& gas, const MetalTemperatures* metal,
+                                             double tolerance) const noexcept {
+  FlowBalance balance(engine, balance_, tolerance);
   const GasPathStatus status = balance.prepare(operation, speeds);
   if (status != GasPathStatus::ok) return status;
   FlowUnknowns x = tangent_.continued(inputs_of(operation, speeds, metal), balance.intake()).value_or(last_);

@@ -30,9 +30,11 @@ class OnBoardEngine {
                          const MetalTemperatures* metal = nullptr) noexcept;
 
   /// A slightly different engine, or this one under a slightly different operation, from the last solution, moved along
-  /// the tangent; the next evaluation starts as if this one had not been. Real-time safe: yes.
+  /// the tangent; the next evaluation starts as if this one had not been. The balances close to `tolerance`.
+  /// Real-time safe: yes.
   GasPathStatus evaluate_nearby(const Turbofan& engine, const Operation& operation, const SpoolSpeeds& speeds,
-                                GasPath& gas, const MetalTemperatures* metal = nullptr) const noexcept;
+                                GasPath& gas, const MetalTemperatures* metal = nullptr,
+                                double tolerance = FlowBalance::closed) const noexcept;
 
   /// Of the last solution.
   const FlowUnknowns& unknowns() const noexcept { return last_; }

@@ -17,8 +17,6 @@ constexpr NewtonProblem<flow_unknown_count> flow_balance_in_time = [] {
   problem.max_evaluations = 30;
   return problem;
 }();
-// Newton's last step goes far below its tolerance; this one stops as soon as conservation to 1e-9 is safe.
-constexpr double closed = 1e-10;
 constexpr int most_broyden_steps = 8;
 // A guess further off is not one that Broyden's method should continue from, nor a step that improves less.
 constexpr double largest_start_residual = 0.05, least_improvement = 0.5;
@@ -50,7 +48,7 @@ bool FlowBalance::broyden(const Held& held, Unknowns& x) {
   Vector r = evaluate(held, x);
   double norm = largest(r);
   if (!(norm < largest_start_residual)) return false;
-  for (int i = 0; i < most_broyden_steps && norm >= closed; ++i) {
+  for (int i = 0; i < most_broyden_steps && norm >= tolerance_; ++i) {
     const Vector dx = -h * r;
     if (!advance(x, dx)) return false;
     const Vector r_next = evaluate(held, x);
@@ -62,7 +60,7 @@ bool FlowBalance::broyden(const Held& held, Unknowns& x) {
     r = r_next;
     norm = next;
   }
-  return norm < closed;
+  return norm < tolerance_;
 }
 
 NewtonEnd FlowBalance::newton(const Problem& problem, const Held& held, Unknowns& x) {

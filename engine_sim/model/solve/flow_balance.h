@@ -19,9 +19,13 @@ class FlowBalance {
  public:
   /// `engine` must live as long as this.
   explicit FlowBalance(const Turbofan& engine) : engine_(engine) {}
-  /// Continues where `near` stands with a slightly different engine.
-  FlowBalance(const Turbofan& engine, const FlowBalance& near)
-      : engine_(engine), inverse_jacobian_(near.inverse_jacobian_) {}
+  /// Continues where `near` stands, with this engine or a slightly different one, and closes to `tolerance`.
+  FlowBalance(const Turbofan& engine, const FlowBalance& near, double tolerance = closed)
+      : engine_(engine), tolerance_(tolerance), inverse_jacobian_(near.inverse_jacobian_) {
+    if (&engine_ == &near.engine_) flown_ = near.flown_;
+  }
+  /// Newton's last step goes far below its tolerance; Broyden's stops as soon as conservation to 1e-9 is safe.
+  static constexpr double closed = 1e-10;
 
   using Matrix = Eigen::Matrix<double, flow_unknown_count, flow_unknown_count>;
 
@@ -71,6 +75,7 @@ class FlowBalance {
   };
 
   const Turbofan& engine_;
+  double tolerance_ = closed;               ///< of the largest residual
   std::optional<Flown> flown_;              ///< the last flight condition and what the engine sees of it
   std::optional<Matrix> inverse_jacobian_;  ///< none before the first solution
   CycleInput<double> input_{};
