@@ -9,6 +9,7 @@
 #include "engine_sim/scenario/mission.h"
 #include "engine_sim/simulation.h"
 #include "tuner_design/flight/mission_scenario.h"
+#include "tuner_design/kosanam/wear_law.h"
 #include "tuner_design/monte_carlo/random_stream.h"
 
 namespace ehm::tuner_design {
@@ -21,6 +22,8 @@ constexpr double wear_begins_s = 10.0, wear_a_minute = -0.01, step = -0.02, nois
 constexpr double slam_depth = 0.92, slam_ends_s = 25.0;
 constexpr double take_off_s = 420.0, landing_s = 6900.0, judged_every_s = 20.0;
 constexpr std::size_t missing_sensor = 3;
+constexpr int flights = 50, samples_a_flight = 30, steps_a_sample = 7, first_judged_flight = 10;
+constexpr double cycles_a_flight = 12.0, told_wear_percent = 0.05;
 
 sim::Scenario at_the_point(const FamilyFleet& fleet, RandomStream& random, std::size_t index) {
   sim::Scenario s;
@@ -64,6 +67,8 @@ class Flight {
  public:
   Flight(const FamilyFleet& fleet, std::uint64_t seed, std::size_t index)
       : fleet_(fleet),
+        seed_(seed),
+        index_(index),
         simulation_(scenario_of(fleet, seed, index)),
         stepped_(index % fleet.engine.channels.health.size()) {
     const auto p = as_index(fleet.engine.channels.health.size());
@@ -76,6 +81,7 @@ class Flight {
   }
 
   std::vector<FamilyOutcome> run() {
+    if (fleet_.what == FamilyCase::batches) return run_batches();
     const double seconds = fleet_.what == FamilyCase::flight ? sim::mission_seconds : case_s;
     const auto samples = static_cast<std::int64_t>(seconds / fleet_.step_s);
     for (std::int64_t k = 0; k < samples; ++k) take(static_cast<double>(k) * fleet_.step_s);
@@ -83,19 +89,55 @@ class Flight {
   }
 
  private:
+  /// Each flight is a new start of the engine, whose metal is in balance.
+  std::vector<FamilyOutcome> run_batches() {
+    std::vector<linear_model::Channel> channels;
+    for (const auto& h : fleet_.engine.channels.health)
+      channels.push_back({std::string(sim::health_names[h.parameter]), "percent", 0.0});
+    const WearLaw law = wear_law(channels, cycles_a_flight);
+    const sim::Scenario first = scenario_of(fleet_, seed_, index_);
+    for (int flight = 0; flight < flights; ++flight) {
+      sim::Scenario worn = first;
+      worn.seed = first.seed + flight;
+      const Eigen::VectorXd wear_percent = law.at(flight);
+      for (std::size_t i = 0; i < channels.size(); ++i)
+        worn.wear[fleet_.engine.channels.health[i].parameter].initial += 0.01 * wear_percent(as_index(i));
+      sim::Simulation simulation(worn);
+      for (int k = 0; k < samples_a_flight; ++k) {
+        for (int lost = 1; lost < steps_a_sample; ++lost) simulation.next_sample();
+        const bool judge = k + 1 == samples_a_flight && flight >= first_judged_flight;
+        const sim::EngineSample sample = simulation.next_sample();
+        if (flight == 0 && k == 0) before_ = conditions_of(sample);
+        take(sample, steps_a_sample, judge, 0.0);
+      }
+      for (const auto& estimator : estimators_)
+        if (estimator) estimator->next_flight(told_wear_percent);
+    }
+    return outcomes_;
+  }
+
   void take(double t) {
     const sim::EngineSample sample = simulation_.next_sample();
+    if (t == 0.0) before_ = conditions_of(sample);  // nothing acted before the first sample
+    take(sample, 1, is_judged(t), t);
+  }
+
+  static estimation::Conditions conditions_of(const sim::EngineSample& sample) {
+    estimation::Conditions now;
+    now.flight = {sample.flight.altitude_m, sample.flight.mach, sample.flight.delta_isa_k};
+    now.actuators = Eigen::Map<const Eigen::VectorXd>(sample.actuators.data(), as_index(sample.actuators.size()));
+    return now;
+  }
+
+  void take(const sim::EngineSample& sample, int steps, bool judge, double t) {
     estimation::SensorVector y(as_index(sample.sensors.size()));
     for (std::size_t i = 0; i < sample.sensors.size(); ++i) y(as_index(i)) = sample.sensors[i].value;
-    now_.flight = {sample.flight.altitude_m, sample.flight.mach, sample.flight.delta_isa_k};
-    now_.actuators = Eigen::Map<const Eigen::VectorXd>(sample.actuators.data(), as_index(sample.actuators.size()));
-    if (t == 0.0) before_ = now_;  // nothing acted before the first sample
-    const bool judge = is_judged(t);
+    now_ = conditions_of(sample);
     for (std::size_t e = 0; e < estimators_.size(); ++e) {
       if (!estimators_[e]) continue;
       estimation::Estimator& estimator = *estimators_[e];
       estimator.use(fused_);
-      estimator.predict(before_, 1);
+      estimator.predict(before_, steps);
       estimator.innovate(y, now_);
       estimator.update(fused_, 1);
       note_answer(estimator, t, outcomes_[e]);
@@ -140,6 +182,8 @@ class Flight {
   }
 
   const FamilyFleet& fleet_;
+  std::uint64_t seed_;
+  std::size_t index_;
   sim::Simulation simulation_;
   std::size_t stepped_;
   std::vector<std::unique_ptr<estimation::Estimator>> estimators_;

@@ -73,6 +73,22 @@ TEST(FamilyStudy, EveryEstimatorHasItsPartAndTheBytesAreTheSameOnAnyNumberOfThre
   EXPECT_EQ(text(run_family_study(cruise_design(), in_short(1))), text(study));
 }
 
+TEST(FamilyStudy, InShortFlightsWhoIsToldOfWearFollowsItAndAConstantDoesNot) {
+  FamilyOptions options = in_short(2);
+  options.cases = {FamilyCase::batches};
+  const FamilyStudy study = run_family_study(cruise_design(), options);
+  const FamilyCaseResult& c = study.cases.front();
+  ASSERT_EQ(c.flown, 2u);
+  const auto score = [&](const char* name) {
+    const auto at = std::find(study.estimators.begin(), study.estimators.end(), name) - study.estimators.begin();
+    return *c.scores[as_size(at)];
+  };
+  EXPECT_EQ(score("ekf").held, 1.0);
+  EXPECT_EQ(score("tuner").held, 1.0);
+  // 1500 samples of wear that moves by percents: what takes health for constant lags behind, and does not know
+  EXPECT_LT(score("time_varying").coverage, score("ekf").coverage);
+}
+
 TEST(FamilyStudy, AnotherEnginesDesignIsRefused) {
   FamilyOptions options = in_short(1);
   options.engine = engine_sim::named_engine("high_bypass");
