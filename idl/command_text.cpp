@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "idl/wire_values.h"
+#include "idl/wire_names.h"
 
 namespace ehm::idl {
 
@@ -65,6 +65,8 @@ std::string order_text(const SimCommand& c, const OrderedChannel& channel) {
 }
 
 std::string order_text(const MonitorCommand& c, const OrderedChannel&) {
+  if (const std::string_view estimator = ordered_estimator(c.kind()); !estimator.empty())
+    return fmt::format("estimates of {} for {}", estimator, c.engine_id() == 0 ? "all engines" : "the engine");
   if (c.kind() != static_cast<std::uint32_t>(MonitorCommandKind::reset))
     return fmt::format("order of kind {}", c.kind());
   return c.engine_id() == 0 ? "reset of the filters of all engines" : "reset of the filter";

@@ -50,8 +50,23 @@ inline constexpr std::array event_kind_names{"?",
                                              "second_monitor",
                                              "command_flood",
                                              "flight_history",
-                                             "estimator_fallback"};
-static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::estimator_fallback) + 1);
+                                             "estimator_fallback",
+                                             "estimator_overrun",
+                                             "estimator_chosen"};
+static_assert(event_kind_names.size() == static_cast<std::size_t>(EventKind::estimator_chosen) + 1);
+
+/// Of EstimatorNumber, by value.
+inline constexpr std::array estimator_names{
+    "tuner", "gauss_markov", "time_varying", "onboard", "scheduled",   "ekf", "iekf", "clipped_ekf",
+    "ukf",   "particle",     "ekpf",         "cekpf",   "constrained", "map", "wls",  "rls"};
+static_assert(estimator_names.size() == static_cast<std::size_t>(EstimatorNumber::rls) + 1);
+
+/// The number of a name; -1: of none.
+constexpr int estimator_number(std::string_view name) noexcept {
+  for (std::size_t i = 0; i < estimator_names.size(); ++i)
+    if (name == estimator_names[i]) return static_cast<int>(i);
+  return -1;
+}
 
 inline constexpr std::array flight_phase_names{"unknown", "taxi", "take_off", "climb", "cruise", "descent", "approach"};
 static_assert(flight_phase_names.size() == static_cast<std::size_t>(FlightPhase::approach) + 1);
@@ -64,5 +79,11 @@ inline constexpr std::array<std::pair<std::uint32_t, const char*>, 7> estimate_f
      {estimate_flag::shifted, "shifted"},
      {estimate_flag::implausible, "implausible"},
      {estimate_flag::fallback, "fallback"}}};
+
+/// Whose estimates a MonitorCommand of that kind has published; empty: no such order.
+constexpr std::string_view ordered_estimator(std::uint32_t kind) noexcept {
+  const std::uint32_t first = static_cast<std::uint32_t>(MonitorCommandKind::publish);
+  return kind >= first && kind - first < estimator_names.size() ? estimator_names[kind - first] : std::string_view();
+}
 
 }  // namespace ehm::idl

@@ -101,8 +101,12 @@ enum class EventKind : std::uint32_t {
   command_flood = 31,    ///< resets come faster than a filter converges; those beyond one in threshold s are refused
   flight_history = 32,   ///< a baseline was not taken, or flights cannot be noted (raised 0: they are again)
   estimator_fallback =
-      33  ///< the published estimator has had no answer for so many samples (value): the watch filter's
-          ///< estimates go out in its place (raised 0: it has answered so many times, and is back)
+      33,  ///< the published estimator has had no answer for so many samples (value): the watch filter's
+           ///< estimates go out in its place (raised 0: it has answered so many times, and is back)
+  estimator_overrun =
+      34,                ///< an estimator (channel: EstimatorNumber) took longer than threshold us, three samples in a
+                         ///< row (value: the latest); it rests for 10 s (raised 0: it flies again)
+  estimator_chosen = 35  ///< an order has chosen whose estimates are published (channel: EstimatorNumber)
 };
 
 enum class SimCommandKind : std::uint32_t {
@@ -124,6 +128,29 @@ enum class SensorFaultKind : std::uint32_t {
   noise = 5     ///< magnitude: factor on the noise
 };
 
-enum class MonitorCommandKind : std::uint32_t { reset = 1 };
+enum class MonitorCommandKind : std::uint32_t {
+  reset = 1,
+  publish = 256  ///< to 511: publish + EstimatorNumber: that one's estimates are published from the next sample on
+};
+
+/// The estimators of the monitor's table (monitor/design/make_estimator.h), which has their names.
+enum class EstimatorNumber : std::uint32_t {
+  tuner = 0,
+  gauss_markov = 1,
+  time_varying = 2,
+  onboard = 3,
+  scheduled = 4,
+  ekf = 5,
+  iekf = 6,
+  clipped_ekf = 7,
+  ukf = 8,
+  particle = 9,
+  ekpf = 10,
+  cekpf = 11,
+  constrained = 12,
+  map = 13,
+  wls = 14,
+  rls = 15
+};
 
 }  // namespace ehm::idl

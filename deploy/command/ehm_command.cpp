@@ -99,7 +99,8 @@ int give(Options& options) {
 void add_options(CLI::App& app, Options& options) {
   app.footer(service::exit_code_help);
   client::add_client_options(app, options.client);
-  app.add_option("--engine", options.engine, "engine_id that the order is for; 0 is every engine, for reset only")
+  app.add_option("--engine", options.engine,
+                 "engine_id that the order is for; 0 is every engine, for reset and publish only")
       ->check(CLI::Range(0u, 4294967295u))
       ->capture_default_str();
   app.add_option("--timeout,--timeout-s", options.timeout_s,
@@ -119,7 +120,8 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (options.engine == 0 && std::holds_alternative<SimCommand>(options.order.command))
-      throw CLI::ValidationError("--engine", "0 (every engine) is for reset only; allowed is 1 to 4294967295");
+      throw CLI::ValidationError("--engine",
+                                 "0 (every engine) is for reset and publish only; allowed is 1 to 4294967295");
   } catch (const CLI::ParseError& e) {
     return config::usage_answer(app, e);
   }

@@ -6,7 +6,7 @@
 
 #include "deploy/client/number_check.h"
 #include "idl/fault_names.h"
-#include "idl/wire_values.h"
+#include "idl/wire_names.h"
 
 namespace ehm::operating {
 
@@ -121,13 +121,29 @@ void add_clear(CLI::App& app, Order& order) {
   });
 }
 
+MonitorCommand monitor_command(std::uint32_t kind) {
+  MonitorCommand command;
+  command.schema(idl::schema_version);
+  command.kind(kind);
+  return command;
+}
+
 void add_reset(CLI::App& app, Order& order) {
   CLI::App* reset = app.add_subcommand("reset", "Starts the monitors' filters anew; --engine 0: of all engines");
-  reset->callback([&order] {
-    MonitorCommand command;
-    command.schema(idl::schema_version);
-    command.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
-    order = {command};
+  reset->callback([&order] { order = {monitor_command(static_cast<std::uint32_t>(idl::MonitorCommandKind::reset))}; });
+}
+
+void add_publish(CLI::App& app, Order& order) {
+  const auto name = std::make_shared<std::string>();
+  CLI::App* publish = app.add_subcommand(
+      "publish",
+      "Chooses the estimator whose estimates the monitors publish, among those that fly; --engine 0: for all engines");
+  publish->add_option("estimator", *name, "tuner, the configured one, or one of estimator.shadow")
+      ->required()
+      ->check(CLI::IsMember(std::vector<std::string>(idl::estimator_names.begin(), idl::estimator_names.end())));
+  publish->callback([name, &order] {
+    const auto first = static_cast<std::uint32_t>(idl::MonitorCommandKind::publish);
+    order = {monitor_command(first + static_cast<std::uint32_t>(idl::estimator_number(*name)))};
   });
 }
 
@@ -140,6 +156,7 @@ void add_orders(CLI::App& app, Order& order) {
   add_demand(app, order);
   add_clear(app, order);
   add_reset(app, order);
+  add_publish(app, order);
   app.require_subcommand(1);
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) command->fallthrough();
 }

@@ -21,8 +21,8 @@ struct Order {
   std::string channel = {};
 };
 
-/// The subcommands fault, health, flight, demand, clear, reset; parsing one of them fills `order`. Numbers have to be
-/// finite; which are allowed is the simulator's to say. What does not fit together is a CLI::ParseError.
+/// The subcommands fault, health, flight, demand, clear, reset, publish; parsing one of them fills `order`. Numbers have
+/// to be finite; which are allowed is the simulator's to say. What does not fit together is a CLI::ParseError.
 void add_orders(CLI::App& app, Order& order);
 
 }  // namespace ehm::operating

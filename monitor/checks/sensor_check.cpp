@@ -54,22 +54,35 @@ SensorKind sensor_kind(const CheckOptions& options, const std::vector<SensorOpti
 
 SensorCheck::SensorCheck(const CheckOptions& options, const std::vector<SensorOptions>& sensors,
                          const linear_model::LinearModel& model, const estimation::SensorSpan& span)
-    : options_(options), memory_(model.sensors.size()), quiet_(model.sensors.size()) {
+    : options_(options),
+      least_(model.sensors.size()),
+      greatest_(model.sensors.size()),
+      memory_(model.sensors.size()),
+      quiet_(model.sensors.size()) {
   require_known(sensors, model);
   // sqrt of diag(H Ph H^T): what the fleet's health makes of each sensor
   const Eigen::VectorXd spread = (estimation::steady_gain(model).H * model.health_sigma.asDiagonal()).rowwise().norm();
   for (std::size_t i = 0; i < model.sensors.size(); ++i) {
-    const double trim = model.sensors[i].trim;
     const auto at = as_index(i);
     percent_.push_back(std::max({linear_model::percent_of_trim(model.sensors[i], 0.0), model.sensor_noise_sigma(at),
                                  spread(at) / spreads_of_range}));
-    const bool spanned = at < span.least.size() && span.least(at) <= span.greatest(at);
-    least_.push_back((spanned ? std::min(trim, span.least(at)) : trim) - options.range_percent * percent_[i]);
-    greatest_.push_back((spanned ? std::max(trim, span.greatest(at)) : trim) + options.range_percent * percent_[i]);
+    trim_.push_back(model.sensors[i].trim);
     const SensorKind kind = sensor_kind(options, sensors, model, i);
     stuck_.emplace_back(kind);
     may_be_quiet_.push_back(kind.operators_limit != 0);
     told_.push_back(kind.update_samples > 0);
+  }
+  use(span);
+}
+
+void SensorCheck::use(const estimation::SensorSpan& span) noexcept {
+  for (std::size_t i = 0; i < trim_.size(); ++i) {
+    const auto at = as_index(i);
+    const bool spanned = at < span.least.size() && span.least(at) <= span.greatest(at);
+    const double least = spanned ? std::min(trim_[i], span.least(at)) : trim_[i];
+    const double greatest = spanned ? std::max(trim_[i], span.greatest(at)) : trim_[i];
+    least_[i] = least - options_.range_percent * percent_[i];
+    greatest_[i] = greatest + options_.range_percent * percent_[i];
   }
 }
 

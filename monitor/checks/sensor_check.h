@@ -33,6 +33,8 @@ class SensorCheck {
   std::uint32_t reasons(const Sample& sample, int sensor, int steps) noexcept;
   /// Another source or time: nothing is compared with what came before.
   void reset() noexcept;
+  /// Another estimator is published, which holds elsewhere.
+  void use(const estimation::SensorSpan& span) noexcept;
 
   const StuckWatch& stuck(int sensor) const noexcept { return stuck_[as_size(sensor)]; }
   const QuietWatch& quiet(int sensor) const noexcept { return quiet_[as_size(sensor)]; }
@@ -46,8 +48,8 @@ class SensorCheck {
   };
 
   CheckOptions options_;
-  std::vector<double> least_, greatest_;  ///< of the range, by sensor
-  std::vector<double> percent_;           ///< what one percent is
+  std::vector<double> trim_, percent_;    ///< by sensor; what one percent is
+  std::vector<double> least_, greatest_;  ///< of the range
   std::vector<Memory> memory_;
   std::vector<StuckWatch> stuck_;
   std::vector<QuietWatch> quiet_;

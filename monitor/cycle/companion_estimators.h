@@ -3,9 +3,12 @@
 // The estimators that fly beside the watch filter: the published one, where that is another, and the shadows. They get
 // each sample with the sensors that the watch filter fuses, so that what is published changes nothing in what is found.
 //
+// One that takes too long may be told to rest: for rest_s it gets no sample and has no estimate, then it starts cold.
+//
 // A copy is a new start with the same kinds of estimators; assigning one to another of the same design and options
 // allocates nothing. Real-time safe: yes, all but construction.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -13,6 +16,8 @@
 #include <vector>
 
 #include "monitor/cycle/cycle_state.h"
+#include "monitor/cycle/estimator_tally.h"
+#include "monitor/cycle/lap.h"
 #include "monitor/estimation/estimator.h"
 
 namespace ehm::monitor {
@@ -21,23 +26,34 @@ namespace ehm::monitor {
 struct Companion {
   std::string_view name;                                   ///< of the table of estimators (design/make_estimator.h)
   std::shared_ptr<const estimation::Estimator> prototype;  ///< has seen nothing yet
+  estimation::SensorSpan span = {};                        ///< the prototype's
 };
 
 class CompanionEstimators {
  public:
   explicit CompanionEstimators(const std::vector<Companion>& companions) {
-    for (const Companion& companion : companions) all_.push_back({companion.name, companion.prototype->clone()});
+    for (const Companion& companion : companions) add(companion.name, *companion.prototype);
   }
-  CompanionEstimators(const CompanionEstimators& other) {
-    for (const Flying& one : other.all_) all_.push_back({one.name, one.estimator->clone()});
+  CompanionEstimators(const CompanionEstimators& other) : now_ns_(other.now_ns_) {
+    for (const Flying& one : other.all_) add(one.tally.name, *one.estimator);
   }
   CompanionEstimators(CompanionEstimators&&) noexcept = default;
   CompanionEstimators& operator=(const CompanionEstimators&) noexcept {
     reset();
+    for (Flying& one : all_) {
+      one.tally = EstimatorTally(one.tally.name);
+      one.rests = 0;
+    }
     return *this;
   }
   CompanionEstimators& operator=(CompanionEstimators&&) noexcept = default;
   ~CompanionEstimators() = default;
+
+  std::size_t size() const noexcept { return all_.size(); }
+  /// The place of that one; -1: it is not among them.
+  int find(std::string_view name) const noexcept;
+  void measure(Stopwatch now_ns) noexcept { now_ns_ = now_ns; }
+  Stopwatch stopwatch() const noexcept { return now_ns_; }
 
   void reset() noexcept {
     for (Flying& one : all_) {
@@ -48,10 +64,14 @@ class CompanionEstimators {
   /// None flies in this sample, `steps` after the one before.
   void rest(int steps) noexcept {
     for (Flying& one : all_) {
+      pass(one, steps);
       one.flies = false;
       one.unseen += steps;
     }
   }
+  /// That one flies no more until as many samples have passed, and starts cold then.
+  void send_to_rest(std::size_t i, int samples) noexcept { all_[i].rests = samples; }
+  bool rests(std::size_t i) const noexcept { return all_[i].rests > 0; }
   /// Those that did not fly in the last sample start anew; the others go on.
   void reset_idle() noexcept {
     for (Flying& one : all_) {
@@ -72,25 +92,37 @@ class CompanionEstimators {
   /// Who flies this sample: all of them where the watch filter holds, else those that hold in these conditions.
   void choose(bool at_point, const estimation::Conditions& now, int steps) noexcept {
     for (Flying& one : all_) {
-      one.flies = at_point || one.estimator->distance(now) <= 1.0;
+      pass(one, steps);
+      one.flies = one.rests == 0 && (at_point || one.estimator->distance(now) <= 1.0);
+      one.lap_ns = 0;
       if (!one.flies) one.unseen += steps;
     }
   }
+  bool flies(std::size_t i) const noexcept { return all_[i].flies; }
   void predict(estimation::SensorMask available, const estimation::Conditions& before, int steps) noexcept {
     for (Flying& one : all_) {
       if (!one.flies) continue;
+      const Lap lap(now_ns_, one.lap_ns);
       one.estimator->use(available);
       one.estimator->predict(before, steps + std::exchange(one.unseen, 0));
     }
   }
   void innovate(const estimation::SensorVector& y, const estimation::Conditions& now) noexcept {
-    for (const Flying& one : all_)
-      if (one.flies) one.estimator->innovate(y, now);
+    for (Flying& one : all_) {
+      if (!one.flies) continue;
+      const Lap lap(now_ns_, one.lap_ns);
+      one.estimator->innovate(y, now);
+    }
   }
-  void update(estimation::SensorMask fused, std::int64_t hold) noexcept {
-    for (const Flying& one : all_)
-      if (one.flies) one.estimator->update(fused, hold);
+  void update(estimation::SensorMask fused, std::int64_t hold) noexcept;
+  /// All that fly, with the estimate that is published.
+  void compare(const estimation::Estimate& published) noexcept {
+    for (Flying& one : all_)
+      if (one.flies && one.estimator->estimate().holds) one.tally.compare(one.estimator->estimate(), published);
   }
+  const EstimatorTally& tally(std::size_t i) const noexcept { return all_[i].tally; }
+  /// What it took in the present sample.
+  std::int64_t lap_ns(std::size_t i) const noexcept { return all_[i].flies ? all_[i].lap_ns : 0; }
   double distance(std::size_t i, const estimation::Conditions& now) const noexcept {
     return all_[i].estimator->distance(now);
   }
@@ -107,13 +139,24 @@ class CompanionEstimators {
 
  private:
   struct Flying {
-    std::string_view name;
     std::unique_ptr<estimation::Estimator> estimator;
-    int unseen = 0;     ///< samples that the next prediction leads over
-    bool flies = true;  ///< in the present sample
+    EstimatorTally tally;
+    int unseen = 0;           ///< samples that the next prediction leads over
+    int rests = 0;            ///< for so many samples more
+    std::int64_t lap_ns = 0;  ///< spent in the present sample
+    bool flies = true;        ///< in the present sample
     bool went_on = false;
   };
+  void add(std::string_view name, const estimation::Estimator& prototype) {
+    all_.push_back({.estimator = prototype.clone(), .tally = EstimatorTally(name)});
+  }
+  static void pass(Flying& one, int steps) noexcept {
+    if (one.rests == 0 || (one.rests = std::max(0, one.rests - steps)) > 0) return;
+    one.estimator->reset();
+    one.unseen = 0;
+  }
   std::vector<Flying> all_;
+  Stopwatch now_ns_ = nullptr;
 };
 
 }  // namespace ehm::monitor

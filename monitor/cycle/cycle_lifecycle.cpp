@@ -4,12 +4,16 @@
 #include <cmath>
 
 #include "deploy/runtime/numbers/index.h"
-#include "idl/wire_values.h"
+#include "idl/wire_names.h"
 #include "monitor/cycle/monitor_cycle.h"
 
 namespace ehm::monitor {
 
 namespace reason = idl::reject_reason;
+
+namespace {
+constexpr double rest_s = 10.0;  // of an estimator that has overrun its budget
+}
 
 void MonitorCycle::restart_filter() noexcept {
   companions_.reset();
@@ -55,10 +59,48 @@ void MonitorCycle::reset(RestartReason reason) noexcept {
 
 void MonitorCycle::retire() noexcept {
   reset(RestartReason::other_design);
+  fallback_.end(events_);
+  for (std::size_t i = 0; i < resting_.size(); ++i)
+    resting_[i].end_with_design(idl::EventKind::estimator_overrun, overrun_of(i, 0.0, 0.0).channel, events_);
   validity_.end_with_design(events_);
   limits_.end_with_design(events_);
   supervision_.retire(events_);
   intake_.retire(events_);
+}
+
+Publishing MonitorCycle::publish(std::string_view name) noexcept {
+  const int wanted = name == design::tuner_name ? watch_filter : companions_.find(name);
+  if (wanted == watch_filter && name != design::tuner_name) return Publishing::not_flying;
+  if (wanted == published_) return Publishing::already;
+  if (!result_.estimates || stale() || !flies(wanted) || !estimate_of(wanted).holds) return Publishing::no_answer;
+  fallback_.end(events_);
+  published_ = wanted;
+  supervision_.use(wanted == watch_filter ? estimation::SensorSpan{} : spans_[as_size(wanted)]);
+  events_.push({.kind = idl::EventKind::estimator_chosen,
+                .channel = static_cast<std::uint32_t>(idl::estimator_number(name)),
+                .raised = true});
+  return Publishing::done;
+}
+
+std::string_view MonitorCycle::published() const noexcept {
+  return name_of(published_);
+}
+
+void MonitorCycle::rest(std::size_t companion, double took_us, double budget_us) noexcept {
+  companions_.send_to_rest(companion, static_cast<int>(std::lround(rest_s / design_->model.sample_time_s)));
+  resting_[companion].set(true, overrun_of(companion, took_us, budget_us), events_);
+}
+
+Event MonitorCycle::overrun_of(std::size_t companion, double took_us, double budget_us) const noexcept {
+  return {.kind = idl::EventKind::estimator_overrun,
+          .channel = static_cast<std::uint32_t>(idl::estimator_number(companions_.tally(companion).name)),
+          .value = took_us,
+          .threshold = budget_us};
+}
+
+void MonitorCycle::note_rest() noexcept {
+  for (std::size_t i = 0; i < resting_.size(); ++i)
+    if (resting_[i].raised()) resting_[i].set(companions_.rests(i), overrun_of(i, 0.0, 0.0), events_);
 }
 
 bool MonitorCycle::usable(const Sample& sample) const noexcept {

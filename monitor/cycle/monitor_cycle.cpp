@@ -23,14 +23,17 @@ MonitorCycle::MonitorCycle(const PreparedDesign& prepared, const CycleOptions& o
       actuators_(static_cast<int>(design_->model.controls.size())),
       watch_(prepared.tuner, {options.validity, design_->model}),
       companions_(prepared.companions),
+      configured_(prepared.published),
       published_(prepared.published),
       shadows_(prepared.shadows),
+      resting_(prepared.companions.size()),
       intake_(options, design_->model),
-      supervision_(options, design_->model, prepared.span()),
+      supervision_(options, design_->model, prepared.span(prepared.published)),
       accommodation_(*design_),
       fleet_(options.fleet, design_->model, prepared.fleet),
       detection_(options, prepared),
       limits_(options.limits, design_->model) {
+  for (const Companion& companion : prepared.companions) spans_.push_back(companion.span);
   result_.shadow.resize(shadows_.size());
   no_residuals();
 }
@@ -53,8 +56,9 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   at_point_ = watch_holds(was_at_point);
   if (was_at_point && !at_point_ && published_ != watch_filter) detection_.leave_point(events_);
   if (!at_point_) fallback_.end(events_);
-  if (!valid_) {
+  if (!valid_ || (!at_point_ && companions_.rests(as_size(published_)))) {
     companions_.rest(steps_);
+    note_rest();
     withhold();
     return true;
   }
@@ -64,6 +68,7 @@ bool MonitorCycle::estimate(const Sample& sample) noexcept {
   }
   if (!was_at_point) restart_at_point();
   companions_.choose(true, now_, steps_);
+  note_rest();
   const bool has_design = choose_design();
   fuse(has_design);
   conclude(has_design);
@@ -88,6 +93,7 @@ double MonitorCycle::distance_of_published() const noexcept {
 /// Where the watch filter's model does not hold and the published estimator's does: that one judges the readings.
 void MonitorCycle::fuse_beyond_the_point() noexcept {
   companions_.choose(false, now_, steps_);
+  note_rest();
   const estimation::SensorMask in_use = supervision_.available();
   companions_.predict(in_use, before_, steps_);
   before_ = now_;
@@ -106,6 +112,7 @@ void MonitorCycle::fuse_beyond_the_point() noexcept {
   note_fused(supervision_.available());
   companions_.update(result_.fused, supervision_.hold());
   take_estimates();
+  compare_estimators();
   result_.estimates = result_.estimate.holds;
   ++(result_.estimates ? counters_.processed : counters_.withheld);
   result_.flags = estimate_flags();
@@ -130,8 +137,19 @@ void MonitorCycle::note_fused(estimation::SensorMask in_use) noexcept {
 }
 
 void MonitorCycle::take_estimates() noexcept {
+  // Who does not fly has an estimate of a sample that is gone.
   result_.estimate = estimate_of(published_);
-  for (std::size_t i = 0; i < shadows_.size(); ++i) result_.shadow[i] = estimate_of(shadows_[i]);
+  result_.estimate.holds = result_.estimate.holds && flies(published_);
+  for (std::size_t i = 0; i < shadows_.size(); ++i) {
+    result_.shadow[i] = estimate_of(shadows_[i]);
+    result_.shadow[i].holds = result_.shadow[i].holds && flies(shadows_[i]);
+  }
+}
+
+void MonitorCycle::compare_estimators() noexcept {
+  if (companions_.size() == 0 || !result_.estimate.holds) return;
+  companions_.compare(result_.estimate);
+  if (at_point_) watch_tally_.compare(watch_.estimate(), result_.estimate);
 }
 
 /// For the sensors that are left; false if there is none.
@@ -144,11 +162,16 @@ bool MonitorCycle::choose_design() noexcept {
 }
 
 void MonitorCycle::fuse(bool has_design) noexcept {
+  const Stopwatch now_ns = companions_.size() > 0 ? companions_.stopwatch() : nullptr;
+  std::int64_t watch_ns = 0;
   // After a loss the actuators are taken as held, which is what they do between samples.
-  watch_.predict(before_, steps_);
   companions_.predict(supervision_.available(), before_, steps_);
+  {
+    const Lap lap(now_ns, watch_ns);
+    watch_.predict(before_, steps_);
+    watch_.innovate(supervision_.values(), now_);
+  }
   before_ = now_;
-  watch_.innovate(supervision_.values(), now_);
   result_.innovation = watch_.innovation().value;
   result_.innovation_variance = watch_.innovation().variance;
 
@@ -164,7 +187,12 @@ void MonitorCycle::fuse(bool has_design) noexcept {
   supervision_.qualify(detection_.listens(), result_, counters_, events_);
 
   note_fused(in_use);
-  watch_.update(result_.fused, supervision_.hold());
+  {
+    const Lap lap(now_ns, watch_ns);
+    watch_.update(result_.fused, supervision_.hold());
+  }
+  watch_tally_.count(watch_.estimate().holds, watch_ns);
+  if (companions_.size() > 0) watch_tally_.look(watch_.innovation(), result_.fused);
   companions_.innovate(supervision_.values(), now_);
   companions_.update(result_.fused, supervision_.hold());
   if (!has_design) return;
@@ -177,6 +205,7 @@ void MonitorCycle::conclude(bool has_design) noexcept {
   take_estimates();
   if (published_ != watch_filter && fallback_.look(result_.estimate.holds, events_))
     result_.estimate = watch_.estimate();
+  compare_estimators();
   result_.estimates = has_design && result_.estimate.holds && !fleet_.withheld();
   ++(result_.estimates ? counters_.processed : counters_.withheld);
   if (!result_.estimates)
@@ -187,6 +216,7 @@ void MonitorCycle::conclude(bool has_design) noexcept {
 void MonitorCycle::diagnose() noexcept {
   if (!valid_) return;
   if (!at_point_) {
+    if (!companions_.flies(as_size(published_))) return;
     const int sensor = detection_.follow(result_.estimate, companions_.innovation(as_size(published_)), supervision_,
                                          result_, events_);
     if (sensor >= 0) bias_return_.leave_out(sensor, result_.estimate.bias, result_.estimate.least_bias);

@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,9 @@
 #include "monitor/estimation/tuner_estimator.h"
 
 namespace ehm::monitor {
+
+/// What became of an order to publish another estimator.
+enum class Publishing { done, already, not_flying, no_answer };
 
 class MonitorCycle {
  public:
@@ -76,23 +80,42 @@ class MonitorCycle {
   /// process. Refused, nothing is changed. Real-time safe: yes.
   Resumption resume(const CycleState& state, const Sample& next, double max_gap_s) noexcept;
 
-  /// After resume(): the published estimator has gone on from a state of its own.
+  /// After resume(): the configured estimator has gone on from a state of its own.
   bool published_went_on() const noexcept {
-    return published_ == watch_filter || companions_.went_on(as_size(published_));
+    return configured_ == watch_filter || companions_.went_on(as_size(configured_));
   }
 
-  /// The published estimator's, see estimator.h: what this flight has taught, what it begins with, and that it is over.
-  /// Nothing where that is the watch filter. Real-time safe: yes.
+  /// The configured estimator's, whichever is published at present (estimator.h): what this flight has taught, what it
+  /// begins with, and that it is over. Nothing where that is the watch filter. Real-time safe: yes.
   estimation::Learned learned() const noexcept {
-    return published_ == watch_filter ? estimation::Learned{} : companions_.learned(as_size(published_));
+    return configured_ == watch_filter ? estimation::Learned{} : companions_.learned(as_size(configured_));
   }
   bool begin_with(const estimation::Learned& known, double wear_percent) noexcept {
-    return published_ != watch_filter && companions_.begin_with(as_size(published_), known, wear_percent);
+    return configured_ != watch_filter && companions_.begin_with(as_size(configured_), known, wear_percent);
+  }
+  void next_flight(double wear_percent) noexcept {
+    if (configured_ != watch_filter) companions_.next_flight(as_size(configured_), wear_percent);
   }
 
-  void next_flight(double wear_percent) noexcept {
-    if (published_ != watch_filter) companions_.next_flight(as_size(published_), wear_percent);
+  /// The estimates of `name` (of the table of estimators) are published from the next sample on, if it flies and has an
+  /// answer now: it goes on as it is, and the one before goes on beside it. Refused, nothing is changed. Real-time
+  /// safe: yes.
+  Publishing publish(std::string_view name) noexcept;
+  std::string_view published() const noexcept;
+
+  /// For who has a clock: what each companion takes is measured by it from now on. Null: nothing is.
+  void measure(Stopwatch now_ns) noexcept { companions_.measure(now_ns); }
+  const CompanionEstimators& companions() const noexcept { return companions_; }
+  /// The estimators that fly, with the published one last compared: the watch filter, where others fly beside it, and
+  /// they. `visit(const EstimatorTally&)`.
+  template <class Visit>
+  void for_each_tally(Visit&& visit) const {
+    if (companions_.size() > 0) visit(watch_tally_);
+    for (std::size_t i = 0; i < companions_.size(); ++i) visit(companions_.tally(i));
   }
+  /// That companion has overrun its budget by what the event says: it rests (companion_estimators.h). Where it is
+  /// published, its fallback follows. Real-time safe: yes.
+  void rest(std::size_t companion, double took_us, double budget_us) noexcept;
 
   /// Of the latest sample that was in order.
   const CycleResult& result() const noexcept { return result_; }
@@ -126,6 +149,12 @@ class MonitorCycle {
   GateDecision gate_beyond_the_point(estimation::SensorMask in_use) const noexcept;
   void note_fused(estimation::SensorMask in_use) noexcept;
   void take_estimates() noexcept;
+  void note_rest() noexcept;
+  Event overrun_of(std::size_t companion, double took_us, double budget_us) const noexcept;
+  void compare_estimators() noexcept;
+  bool flies(int estimator) const noexcept {
+    return estimator == watch_filter ? valid_ && at_point_ : companions_.flies(as_size(estimator));
+  }
   estimation::Conditions conditions_of(const Sample& sample) const noexcept;
   bool choose_design() noexcept;
   void fuse(bool has_design) noexcept;
@@ -133,6 +162,9 @@ class MonitorCycle {
   void withhold() noexcept;
   void no_residuals() noexcept;
   std::uint32_t estimate_flags() const noexcept;
+  std::string_view name_of(int estimator) const noexcept {
+    return estimator == watch_filter ? design::tuner_name : companions_.tally(as_size(estimator)).name;
+  }
   const estimation::Estimate& estimate_of(int estimator) const noexcept {
     return estimator == watch_filter ? watch_.estimate() : companions_.estimate(as_size(estimator));
   }
@@ -142,8 +174,12 @@ class MonitorCycle {
   int sensors_, actuators_;
   estimation::TunerEstimator watch_;
   CompanionEstimators companions_;
-  int published_;             ///< whose estimate is published: a companion, or watch_filter
-  std::vector<int> shadows_;  ///< the same of the shadows
+  int configured_;                             ///< whose estimate is published at first: a companion, or watch_filter
+  int published_;                              ///< and at present
+  std::vector<int> shadows_;                   ///< the same of the shadows
+  std::vector<estimation::SensorSpan> spans_;  ///< of the companions
+  std::vector<Condition> resting_;             ///< of the companions
+  EstimatorTally watch_tally_{design::tuner_name};
 
   SampleIntake intake_;
   SensorSupervision supervision_;

@@ -14,8 +14,11 @@ PreparedDesign::PreparedDesign(std::shared_ptr<const design::Design> of, const C
       shift(shift_tables(*design)),
       slow_bias(slow_bias_table(*design)),
       fleet(fleet_tables(*design, *tuner.errors)) {
-  for (const std::string_view name : design::companion_names(estimator))
-    companions.push_back({name, design::make_estimator(std::string(name), *design, estimator, validity)});
+  for (const std::string_view name : design::companion_names(estimator)) {
+    const std::shared_ptr<const estimation::Estimator> made =
+        design::make_estimator(std::string(name), *design, estimator, validity);
+    companions.push_back({name, made, made->span()});
+  }
   const auto index_of = [&](const std::string& name) {
     const auto found =
         std::find_if(companions.begin(), companions.end(), [&](const auto& c) { return c.name == name; });

@@ -29,9 +29,9 @@ struct PreparedDesign {
     return options.estimator == estimator && options.validity == validity;
   }
 
-  /// What healthy sensors read where the published estimator holds.
-  estimation::SensorSpan span() const {
-    return published == watch_filter ? estimation::SensorSpan{} : companions[as_size(published)].prototype->span();
+  /// What healthy sensors read where that estimator holds.
+  estimation::SensorSpan span(int of) const {
+    return of == watch_filter ? estimation::SensorSpan{} : companions[as_size(of)].span;
   }
 
   std::shared_ptr<const design::Design> design;

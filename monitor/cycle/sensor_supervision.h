@@ -37,6 +37,8 @@ class SensorSupervision {
 
   /// Checks each value by itself, `steps` sample times after the one before; sets the reasons.
   void check(const Sample& sample, int steps, CycleResult& result, EventList& events) noexcept;
+  /// Another estimator is published, which holds elsewhere.
+  void use(const estimation::SensorSpan& span) noexcept { sensor_check_.use(span); }
   /// The values of that sample, NaN where there is none.
   const estimation::SensorVector& values() const noexcept { return values_; }
   /// For how many samples the slowest of the sensors that the design takes for fast ones holds its values; 1 for most.

@@ -3,7 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "idl/wire_values.h"
+#include "idl/wire_names.h"
 #include "monitor/shared/reset_throttle.h"
 
 namespace ehm::monitor {
@@ -12,8 +12,12 @@ namespace {
 
 std::string text_of(std::uint32_t engine_id, const OrderOutcome& o) {
   using Kind = OrderOutcome::Kind;
+  const std::string_view estimator = idl::ordered_estimator(o.order);
   switch (o.kind) {
     case Kind::done:
+      if (!estimator.empty())
+        return fmt::format("estimates of {} are published{}", estimator,
+                           o.engines == 1 ? "" : fmt::format(" for {} engines", o.engines));
       return o.engines == 1 ? "the filter starts anew; sensors that were named faulty stay out until they requalify"
                             : fmt::format(
                                   "the filters of {} engines start anew; sensors that were named faulty stay "
@@ -22,13 +26,22 @@ std::string text_of(std::uint32_t engine_id, const OrderOutcome& o) {
     case Kind::other_schema:
       return fmt::format("its schema is not {}", idl::schema_version);
     case Kind::unknown_kind:
-      return fmt::format("kind {} is unknown, {} is a reset", o.order,
-                         static_cast<std::uint32_t>(idl::MonitorCommandKind::reset));
+      return fmt::format("kind {} is unknown, {} is a reset, from {} on estimators are published", o.order,
+                         static_cast<std::uint32_t>(idl::MonitorCommandKind::reset),
+                         static_cast<std::uint32_t>(idl::MonitorCommandKind::publish));
     case Kind::not_served:
       return engine_id == 0 ? "no engine is served yet" : fmt::format("engine {} is not served here", engine_id);
     case Kind::too_soon:
       return fmt::format("{} of {} engines were reset less than {:.2g} s ago", o.refused, o.engines,
                          ResetThrottle::period_s);
+    case Kind::not_flying:
+      return fmt::format("{} does not fly for {} of {} engines: name it in estimator.shadow and restart", estimator,
+                         o.refused, o.engines);
+    case Kind::no_answer:
+      return fmt::format(
+          "{} has no estimate now for {} of {} engines: no usable sample, outside of where it holds, or "
+          "at rest",
+          estimator, o.refused, o.engines);
   }
   return "for a reason that this version does not know";
 }

@@ -149,6 +149,38 @@ MetricFamily estimates(const Fleet& fleet, const char* name, const char* help, d
   });
 }
 
+struct EstimatorMetric {
+  const char *name, *help;
+  MetricType type;
+  double (*value)(const EstimatorFigures&);
+};
+
+constexpr EstimatorMetric estimator_metrics[]{
+    {"ehm_estimator_published", "1 for the estimator whose estimates are published.", MetricType::Gauge,
+     [](const EstimatorFigures& e) { return e.published ? 1.0 : 0.0; }},
+    {"ehm_estimator_samples_total", "Samples in which the estimator flew.", MetricType::Counter,
+     [](const EstimatorFigures& e) { return number(e.samples); }},
+    {"ehm_estimator_answers_total", "Of those, with an estimate.", MetricType::Counter,
+     [](const EstimatorFigures& e) { return number(e.answers); }},
+    {"ehm_estimator_seconds_total", "Time that it took.", MetricType::Counter,
+     [](const EstimatorFigures& e) { return e.spent_s; }},
+    {"ehm_estimator_longest_seconds", "The longest that it took for one sample.", MetricType::Gauge,
+     [](const EstimatorFigures& e) -> double { return e.longest_s; }},
+    {"ehm_estimator_innovation_ratio",
+     "Its innovations squared over their variances, mean of the fused sensors over 1000 samples; honest is 1.",
+     MetricType::Gauge, [](const EstimatorFigures& e) -> double { return e.innovation_ratio; }},
+    {"ehm_estimator_difference",
+     "Root mean square over health of its estimate less the published one, in sigmas of the published.",
+     MetricType::Gauge, [](const EstimatorFigures& e) -> double { return e.difference; }},
+};
+
+MetricFamily estimators(const Fleet& fleet, const EstimatorMetric& m) {
+  return fleet.family(m.name, m.help, m.type, [&](MetricFamily& f, std::uint32_t id, const EngineView& engine) {
+    for (const EstimatorFigures& e : engine.estimators)
+      f.metric.push_back(sample(fleet.labels(id, "estimator", std::string(e.name)), m.value(e)));
+  });
+}
+
 double status_age_s(const ServiceView& view, const EngineView& engine) {
   return 1e-9 * static_cast<double>(view.ages.now_ns - engine.status_ns);
 }
@@ -266,6 +298,7 @@ std::string metrics_text(const ServiceView& view) {
                                &EstimateView::value));
   families.push_back(estimates(fleet, "ehm_estimate_sigma", "Standard deviation of the estimate's whole error.",
                                &EstimateView::sigma));
+  for (const EstimatorMetric& m : estimator_metrics) families.push_back(estimators(fleet, m));
   families.push_back(margin(fleet, "ehm_egt_margin_kelvin",
                             "What T48 had left at hot-day take-off after the last flight.",
                             [](const FlightSummary& s) { return s.egt_margin_k(); }));

@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "deploy/runtime/numbers/index.h"
 #include "monitor/realtime/clock.h"
 
 namespace ehm::monitor {
@@ -12,7 +13,8 @@ namespace {
 /// Events that happen and are over: nothing lasts that could end.
 bool is_moment(std::uint32_t kind) {
   return kind == static_cast<std::uint32_t>(idl::EventKind::filter_restart) ||
-         kind == static_cast<std::uint32_t>(idl::EventKind::checkpoint);
+         kind == static_cast<std::uint32_t>(idl::EventKind::checkpoint) ||
+         kind == static_cast<std::uint32_t>(idl::EventKind::estimator_chosen);
 }
 
 }  // namespace
@@ -59,7 +61,10 @@ void StatusBoard::post(std::uint32_t engine_id, const linear_model::LinearModel&
     add("auxiliary", model.auxiliary, estimates.auxiliary, estimates.auxiliary_sigma);
   }
   const std::lock_guard lock(mutex_);
-  engines_[engine_id].estimates = std::move(views);
+  EngineView& engine = engines_[engine_id];
+  engine.estimates = std::move(views);
+  engine.estimators.assign(estimates.estimators.begin(),
+                           estimates.estimators.begin() + as_index(estimates.estimator_count));
 }
 
 void StatusBoard::remove(std::uint32_t engine_id) {

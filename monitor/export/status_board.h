@@ -31,6 +31,7 @@ struct EngineView {
   std::int64_t status_ns = 0;  ///< monotonic, when that status was hung up; 0: none yet
   std::string design_hash, engine_type;
   std::vector<EstimateView> estimates;                               ///< empty while there are none
+  std::vector<EstimatorFigures> estimators;                          ///< empty where the tuner filter flies alone
   std::optional<FlightSummary> flight;                               ///< the latest that has ended
   std::array<std::uint64_t, idl::event_kind_names.size()> raised{};  ///< events by kind
   /// By kind and channel, with the channel's name: is the condition raised now?

@@ -40,8 +40,8 @@ class RecordFeed {
     slot.recorded_loss_after = slot.cycle.counters().received;
     marker(slot, recording::RowKind::input_lost, age_ns);
   }
-  void marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t age_ns = 0) noexcept {
-    fill_marker(slot, kind, age_ns, next_.row);
+  void marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t value = 0) noexcept {
+    fill_marker(slot, kind, value, next_.row);
     push(slot);
   }
 

@@ -78,21 +78,21 @@ void fill_row(const EngineSlot& slot, bool accepted, Row& row) noexcept {
 
 void fill_shadow(const EngineSlot& slot, int shadow, Row& row) noexcept {
   fill_marker(slot, recording::RowKind::shadow, 0, row);
-  row.a.kind += shadow;
+  row.a.kind += slot.shadow_place[as_size(shadow)];
   const CycleResult& result = slot.cycle.result();
   const estimation::Estimate& estimate = result.shadow[as_size(shadow)];
   row.a.accepted = 1;
-  row.a.estimates = result.estimates ? 1 : 0;
+  row.a.estimates = result.estimates && estimate.holds ? 1 : 0;
   row.a.flags = result.flags;
   row.a.sensors_used = bits(estimate.sensors);
-  if (result.estimates) fill_estimate(estimate, row);
+  if (row.a.estimates != 0) fill_estimate(estimate, row);
 }
 
-void fill_marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t age_ns, Row& row) noexcept {
+void fill_marker(const EngineSlot& slot, recording::RowKind kind, std::int64_t value, Row& row) noexcept {
   row = Row{};
   row.a.unit = slot.engine_id;
   row.a.kind = static_cast<std::int64_t>(kind);
-  row.a.age_ns = age_ns;
+  row.a.age_ns = value;
   row.a.sequence = static_cast<std::int64_t>(slot.sample.sequence);
   row.a.source_time_ns = slot.sample.source_time_ns;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/record/recorder.h"
 
+#include <spdlog/fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "deploy/runtime/recording/part_files.h"
 #include "deploy/runtime/service/last_catch.h"
 #include "monitor/realtime/clock.h"
+#include "monitor/shared/engine_estimators.h"
 
 namespace ehm::monitor {
 
@@ -39,7 +41,7 @@ Recorder::Recorder(const MonitorConfig& config, const EngineTable& engines, Noti
   info_.sample_time_s = first.model.sample_time_s;
   info_.created_by = "monitor";
   info_.published = config.cycle.estimator.published;
-  info_.shadows = config.cycle.estimator.shadow;
+  info_.shadows = fmt::format("{}", fmt::join(all_shadow_names(config), ","));
   info_.channels = recorded_channels(first);
   try {
     begin_part(info_.channels);

@@ -84,6 +84,10 @@ void Reloader::reload() {
     if (const std::string refused = refused_changes(flying_, wanted.values); !refused.empty())
       throw config::ConfigError(refused);
     table = std::make_unique<EngineTable>(wanted.config, current_.get());
+    if (table->shadows() != current_->shadows())
+      throw config::ConfigError(
+          "'shadow' of the [[engine]] tables: the topics of shadow estimators cannot change while flying: restart the "
+          "monitor");
     hooks_.before(*table);
   } catch (const std::exception& e) {
     exchange_.refused.fetch_add(1, std::memory_order_relaxed);

@@ -7,6 +7,7 @@
 #include "deploy/runtime/config/table_reader.h"
 #include "deploy/runtime/service/listen_address.h"
 #include "monitor/design/make_estimator.h"
+#include "monitor/shared/engine_estimators.h"
 
 namespace ehm::monitor {
 
@@ -82,17 +83,23 @@ void declare_fleet(Schema& schema, FleetOptions& f) {
   schema.real("fleet.persistence_s", f.persistence_s, 0, 60, "s", "so long in a row before either");
 }
 
-void declare_estimators(Schema& schema, EstimatorOptions& o) {
+std::vector<std::string> estimator_names() {
   std::vector<std::string> names;
+  for (const design::EstimatorKind& kind : design::estimator_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+void declare_estimators(Schema& schema, EstimatorOptions& o) {
   std::string what;
-  for (const design::EstimatorKind& kind : design::estimator_kinds()) {
-    names.push_back(kind.name);
+  for (const design::EstimatorKind& kind : design::estimator_kinds())
     what += (what.empty() ? "" : "; ") + std::string(kind.name) + ": " + kind.description;
-  }
-  schema.choice("estimator.published", o.published, names, "whose estimates are published. " + what);
+  schema.choice("estimator.published", o.published, estimator_names(), "whose estimates are published. " + what);
   schema.text("estimator.shadow", o.shadow,
               "estimators that fly beside it, with commas between; theirs are published as EngineHealth/NAME and "
               "EngineAuxiliary/NAME, and recorded");
+  schema.real("estimator.budget_ms", o.budget_ms, 0, 1000, "ms",
+              "what one estimator may take for a sample: who takes longer three times in a row rests for 10 s, and the "
+              "tuner filter's estimates go out in its place; 0 is without limit");
   schema.real("estimator.memory_s", o.memory_s, 1, 1e7, "s",
               "of gauss_markov: what no sensor sees returns to the fleet's mean within that time");
   schema.text("estimator.engine", o.engine,
@@ -106,8 +113,9 @@ void declare_estimators(Schema& schema, EstimatorOptions& o) {
   schema.real("estimator.lag_temperature_s", o.lag_temperature_s, 0, 10, "s", "the same of the temperatures");
   schema.choice("estimator.noise_of", o.noise_of, {"reading", "trim"},
                 "of onboard: whether noise is the engine file's percent of the present reading, or the design's sigma");
-  std::erase(names, design::constrained_name);
-  schema.choice("estimator.constrained_of", o.constrained_of, names,
+  std::vector<std::string> others = estimator_names();
+  std::erase(others, design::constrained_name);
+  schema.choice("estimator.constrained_of", o.constrained_of, others,
                 "of constrained: whose health it keeps from improving by itself");
   schema.choice("estimator.constraint", o.constraint, {"projection", "projection_identity", "truncation"},
                 "of constrained: the nearest point that is allowed by the estimator's covariance, the nearest one, or "
@@ -225,13 +233,17 @@ void declare_sensors(Schema& schema, MonitorConfig& m) {
 
 void declare_tables(Schema& schema, MonitorConfig& m) {
   schema.tables(
-      "engine", "which design flies for which engines: ids, design",
+      "engine",
+      "which design flies for which engines: ids, design; and, where it is not that of [estimator]: published, shadow",
       [&m](const std::string& file, const toml::array& array) {
         for (const auto& element : array) {
           TableReader t(file, "engine", *element.as_table());
           m.engines.push_back({t.integers("ids", 1, max_id), t.text("design")});
+          EngineAssignment& engines = m.engines.back();
+          if (t.has("published")) engines.published = t.choice("published", estimator_names());
+          if (t.has("shadow")) engines.shadow = t.text("shadow");
           t.finish();
-          if (m.engines.back().ids.empty())
+          if (engines.ids.empty())
             throw ConfigError(config::where(file, element) + ": 'engine.ids' is empty, allowed is at least one id");
         }
       });
@@ -333,11 +345,17 @@ void finish_config(const MonitorConfig& m) {
     throw ConfigError("'offline.column_map' is for 'offline.file', which is not set");
   if (m.offline.file.empty() && m.offline.all_estimators)
     throw ConfigError("'offline.all_estimators' is for 'offline.file', which is not set: --offline FILE --out FILE");
-  try {
-    design::shadow_names(m.cycle.estimator);
-  } catch (const std::invalid_argument& e) {
-    throw ConfigError(std::string("'estimator.shadow': ") + e.what());
-  }
+  const auto require_shadows = [](const std::string& key, const EstimatorOptions& options) {
+    try {
+      design::shadow_names(options);
+    } catch (const std::invalid_argument& e) {
+      throw ConfigError(key + ": " + e.what());
+    }
+  };
+  require_shadows("'estimator.shadow'", m.cycle.estimator);
+  for (const EngineAssignment& engines : m.engines)
+    require_shadows("'engine.shadow' of engine " + std::to_string(engines.ids.front()),
+                    options_of(m, engines).estimator);
   std::set<std::int64_t> seen;
   for (const auto& e : m.engines)
     for (const auto id : e.ids)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of the cycle thread that obeys MonitorCommands, between two samples, and says what became of each.
 
-#include "idl/wire_values.h"
+#include "idl/wire_names.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/service/cycle_thread.h"
 
@@ -18,15 +18,31 @@ void CycleThread::obey(const MonitorCommand& command) {
 
 OrderOutcome::Kind CycleThread::carry_out(const MonitorCommand& command, OrderOutcome& outcome) {
   if (command.schema() != idl::schema_version) return OrderOutcome::Kind::other_schema;
-  if (command.kind() != static_cast<std::uint32_t>(idl::MonitorCommandKind::reset))
+  const std::string_view estimator = idl::ordered_estimator(command.kind());
+  if (command.kind() != static_cast<std::uint32_t>(idl::MonitorCommandKind::reset) && estimator.empty())
     return OrderOutcome::Kind::unknown_kind;
+  OrderOutcome::Kind worst = OrderOutcome::Kind::done;
   engines_->for_each([&](EngineSlot& slot) {
     if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
     ++outcome.engines;
-    outcome.refused += !reset(slot);
+    const OrderOutcome::Kind kind = !estimator.empty()
+                                        ? choose(estimator, slot)
+                                        : (reset(slot) ? OrderOutcome::Kind::done : OrderOutcome::Kind::too_soon);
+    if (kind == OrderOutcome::Kind::done) return;
+    ++outcome.refused;
+    worst = kind;
   });
-  if (outcome.engines == 0) return OrderOutcome::Kind::not_served;
-  return outcome.refused == 0 ? OrderOutcome::Kind::done : OrderOutcome::Kind::too_soon;
+  return outcome.engines == 0 ? OrderOutcome::Kind::not_served : worst;
+}
+
+OrderOutcome::Kind CycleThread::choose(std::string_view estimator, EngineSlot& slot) {
+  const Publishing became = slot.cycle.publish(estimator);
+  if (became == Publishing::not_flying) return OrderOutcome::Kind::not_flying;
+  if (became == Publishing::no_answer) return OrderOutcome::Kind::no_answer;
+  if (became == Publishing::done && records_)
+    records_->marker(slot, recording::RowKind::chosen, idl::estimator_number(estimator));
+  report_events(slot);
+  return OrderOutcome::Kind::done;
 }
 
 bool CycleThread::reset(EngineSlot& slot) {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
-#include "idl/wire_values.h"
+#include "deploy/runtime/numbers/index.h"
+#include "idl/wire_names.h"
 #include "monitor/dds/convert.h"
 #include "monitor/realtime/clock.h"
 #include "monitor/service/engine_status.h"
+#include "monitor/shared/engine_estimators.h"
 
 namespace ehm::monitor {
 
@@ -51,7 +53,7 @@ CycleThread::CycleThread(idl::Participant& participant, const MonitorConfig& con
   wait_set_.attach_condition(commands_.condition());
   wait_set_.attach_condition(descriptions_.condition());
   triggered_.reserve(3);
-  for (const std::string& name : design::shadow_names(config.cycle.estimator)) shadows_.emplace_back(participant, name);
+  for (const std::string& name : all_shadow_names(config)) shadows_.emplace_back(participant, name);
   if (participant.options().redundancy.exclusive) peers_ = std::make_unique<PeerWatch>(participant, source_id_);
 }
 
@@ -144,9 +146,22 @@ void CycleThread::handle(const Arrival& arrival) {
     publish(*slot, arrival.arrival_ns);
   }
   if (records_) records_->sample(*slot, accepted);
+  if (accepted) keep_budget(*slot);
   if (accepted) flights_.follow(*slot);
   report_events(*slot);
   if (slot->cycle.counters().malformed != malformed) report_malformed(*slot);
+}
+
+/// Who takes too long rests; a replay has no clock, and reads it in the recording.
+void CycleThread::keep_budget(EngineSlot& slot) {
+  const double budget_ms = slot.cycle.options().estimator.budget_ms;
+  const CompanionEstimators& companions = slot.cycle.companions();
+  for (std::size_t i = 0; i < companions.size(); ++i) {
+    const std::int64_t took_ns = companions.lap_ns(i);
+    if (!slot.budget.look(i, took_ns, budget_ms)) continue;
+    slot.cycle.rest(i, 1e-3 * static_cast<double>(took_ns), 1e3 * budget_ms);
+    if (records_) records_->marker(slot, recording::RowKind::rested, idl::estimator_number(companions.tally(i).name));
+  }
 }
 
 /// A filter for an engine that has none; null if it gets none.
@@ -244,11 +259,13 @@ void CycleThread::publish(EngineSlot& slot, std::int64_t arrival_ns) {
 
 void CycleThread::publish_shadows(EngineSlot& slot, const Stamp& stamp) {
   const CycleResult& result = slot.cycle.result();
-  for (std::size_t i = 0; i < shadows_.size(); ++i) {
+  for (std::size_t i = 0; i < result.shadow.size(); ++i) {
+    if (!result.shadow[i].holds) continue;
+    ShadowWriters& writers = shadows_[as_size(slot.shadow_place[i])];
     convert(result.shadow[i], result.flags, stamp, health_sample_);
-    send(slot, shadows_[i].health, health_sample_);
+    send(slot, writers.health, health_sample_);
     convert(result.shadow[i], result.flags, stamp, auxiliary_sample_);
-    send(slot, shadows_[i].auxiliary, auxiliary_sample_);
+    send(slot, writers.auxiliary, auxiliary_sample_);
   }
 }
 

@@ -54,6 +54,7 @@ class CycleThread {
   void take_samples();
   bool must_wait(const Arrival& arrival);
   void handle(const Arrival& arrival);
+  void keep_budget(EngineSlot& slot);
   void fit_source(EngineSlot& slot, std::uint64_t participant);
   void report_misfits(const EngineSlot& slot, DescribedSource& source);
   void report_channel(const EngineSlot& slot, const SourceChannel& channel);
@@ -66,6 +67,7 @@ class CycleThread {
   void obey(const MonitorCommand& command);
   OrderOutcome::Kind carry_out(const MonitorCommand& command, OrderOutcome& outcome);
   bool reset(EngineSlot& slot);
+  OrderOutcome::Kind choose(std::string_view estimator, EngineSlot& slot);
   void watch_input(std::int64_t now_ns);
   void check_recording(EngineSlot& slot);
   void first_sample(EngineSlot& slot);
@@ -103,7 +105,7 @@ class CycleThread {
   RankedWriter<EngineHealth> health_;
   RankedWriter<EngineAuxiliary> auxiliary_;
   RankedWriter<EngineResiduals> residuals_;
-  std::deque<ShadowWriters> shadows_;  ///< in the order of estimator.shadow
+  std::deque<ShadowWriters> shadows_;  ///< in the order of all_shadow_names
   bool leaving_ = false;               ///< engines are to be released
   eprosima::fastdds::dds::WaitSet wait_set_;
   eprosima::fastdds::dds::ConditionSeq triggered_;

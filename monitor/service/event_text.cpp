@@ -6,10 +6,12 @@
 #include <array>
 
 #include "deploy/runtime/numbers/index.h"
+#include "idl/wire_names.h"
 #include "monitor/checks/condition_check.h"
 #include "monitor/checks/sample_check.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/cycle/cycle_state.h"
+#include "monitor/shared/budget_watch.h"
 
 namespace ehm::monitor {
 
@@ -138,6 +140,10 @@ std::string unlikely_engine(const Event& e, const linear_model::LinearModel& mod
       e.value, e.threshold, names.empty() ? " none by itself" : names);
 }
 
+std::string estimator_name(const Event& e) {
+  return e.channel < idl::estimator_names.size() ? idl::estimator_names[e.channel] : "?";
+}
+
 std::string restart_reason(const Event& e) {
   switch (static_cast<RestartReason>(e.detail)) {
     case RestartReason::command:
@@ -182,6 +188,8 @@ std::string stamp_trouble(const Event& e) {
 }  // namespace
 
 std::string channel_name(const Event& event, const linear_model::LinearModel& model) {
+  if (event.kind == idl::EventKind::estimator_overrun || event.kind == idl::EventKind::estimator_chosen)
+    return estimator_name(event);
   if (event.kind == idl::EventKind::condition_fault) return word_of(event, model).first;
   const auto* channel = channel_of(event, model);
   return channel ? channel->name : std::string();
@@ -289,6 +297,15 @@ std::string event_text(const Event& e, const linear_model::LinearModel& model) {
       return e.value > 0.0
                  ? fmt::format("the published estimator has answered {:.0f} samples, and is published again", e.value)
                  : "the published estimator is published again";
+    case idl::EventKind::estimator_overrun:
+      return e.raised
+                 ? fmt::format(
+                       "estimator {} took {:.0f} us for a sample, and {} times in a row more than the {:.0f} us of "
+                       "estimator.budget_ms: it rests for 10 s",
+                       estimator_name(e), e.value, BudgetWatch::most_overruns, e.threshold)
+                 : fmt::format("estimator {} flies again, from a cold start", estimator_name(e));
+    case idl::EventKind::estimator_chosen:
+      return fmt::format("estimates of {} are published, by order", estimator_name(e));
     case idl::EventKind::second_monitor:
     case idl::EventKind::input_deadline:
     case idl::EventKind::input_liveliness:

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/service/offline.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include "deploy/runtime/recording/row_source.h"
 #include "deploy/runtime/recording/writer.h"
 #include "deploy/runtime/service/stop_signal.h"
+#include "idl/wire_names.h"
 #include "monitor/checks/sample_time_watch.h"
 #include "monitor/checks/source_fit.h"
 #include "monitor/design/design_file.h"
@@ -23,6 +25,7 @@
 #include "monitor/realtime/clock.h"
 #include "monitor/record/record_row.h"
 #include "monitor/service/event_text.h"
+#include "monitor/shared/engine_estimators.h"
 
 namespace ehm::monitor {
 
@@ -54,7 +57,8 @@ class OfflineRun {
       : config_(config),
         engines_(engines),
         flights_(std::make_unique<FlightKeeper>(config, engines, notices_, summed_)),
-        rows_(recording::open_rows(config.offline.file, config.offline.column_map)) {
+        rows_(recording::open_rows(config.offline.file, config.offline.column_map)),
+        shadows_(fmt::format("{}", fmt::join(all_shadow_names(config), ","))) {
     for (const design::Design* design : engines.designs()) {
       require_sample_time(*design);
       require_channels(*design);
@@ -66,7 +70,7 @@ class OfflineRun {
     info.sample_time_s = engines.designs().front()->model.sample_time_s;
     info.created_by = "monitor --offline";
     info.published = config.cycle.estimator.published;
-    info.shadows = config.cycle.estimator.shadow;
+    info.shadows = shadows_;
     info.channels = recorded_channels(*engines.designs().front());
     writer_.emplace(config.offline.out, info);
     if (rows_->info().part != 1)
@@ -184,9 +188,11 @@ class OfflineRun {
 
   /// The row of a shadow estimator follows its sample's; without the same shadows there is nothing to compare with.
   void compare_shadow(const Row& row, const EngineSlot& slot) {
-    if (rows_->info().shadows != config_.cycle.estimator.shadow) return;
+    if (rows_->info().shadows != shadows_) return;
+    const auto place = std::ranges::find(slot.shadow_place, row.shadow());
+    if (place == slot.shadow_place.end()) return;
     Row result;
-    fill_shadow(slot, row.shadow(), result);
+    fill_shadow(slot, static_cast<int>(place - slot.shadow_place.begin()), result);
     compare(row, result);
   }
 
@@ -199,9 +205,24 @@ class OfflineRun {
       slot.cycle.reset(RestartReason::described_anew);
     else if (row.kind() == RowKind::left && engines_.may_leave(slot))
       engines_.leave(slot);
+    else if (row.kind() == RowKind::chosen)
+      slot.cycle.publish(named(row));
+    else if (row.kind() == RowKind::rested)
+      rest(row, slot);
     else
       spdlog::warn("engine {}: the filter was resumed or reloaded here, which the recording cannot repeat",
                    slot.engine_id);
+  }
+
+  /// The estimator that a marker speaks of; empty: none that this version knows.
+  static std::string_view named(const Row& row) {
+    const bool known = row.a.age_ns >= 0 && row.a.age_ns < static_cast<std::int64_t>(idl::estimator_names.size());
+    return known ? idl::estimator_names[as_size(row.a.age_ns)] : std::string_view();
+  }
+
+  static void rest(const Row& row, EngineSlot& slot) {
+    const int companion = slot.cycle.companions().find(named(row));
+    if (companion >= 0) slot.cycle.rest(as_size(companion), 0.0, 0.0);
   }
 
   void compare(const Row& recorded, const Row& result) {
@@ -247,6 +268,7 @@ class OfflineRun {
   std::optional<recording::Writer> writer_;
   SourceFit fit_;  ///< of the file's channels, to the designs'
   Comparison comparison_;
+  std::string shadows_;  ///< of all engines, with commas between
   std::uint64_t samples_ = 0, estimates_ = 0;
   std::int64_t lost_ = 0;
 };
@@ -281,18 +303,24 @@ void choose_all_estimators(MonitorConfig& config) {
   std::vector<design::Design> designs;
   if (!config.design.empty()) designs.push_back(design::read_design(config.design));
   for (const auto& assignment : config.engines) designs.push_back(design::read_design(assignment.design));
-  std::string shadows;
+  std::vector<std::string> able;
   for (const design::EstimatorKind& kind : design::estimator_kinds()) {
-    if (kind.name == config.cycle.estimator.published) continue;
     try {
       for (const design::Design& design : designs)
         design::make_estimator(kind.name, design, config.cycle.estimator, config.cycle.validity);
-      shadows += (shadows.empty() ? "" : ",") + std::string(kind.name);
+      able.emplace_back(kind.name);
     } catch (const std::invalid_argument& e) {
       spdlog::info("{} does not fly: {}", kind.name, e.what());
     }
   }
-  config.cycle.estimator.shadow = shadows;
+  const auto all_but = [&](const std::string& published) {
+    std::vector<std::string> others = able;
+    std::erase(others, published);
+    return fmt::format("{}", fmt::join(others, ","));
+  };
+  config.cycle.estimator.shadow = all_but(config.cycle.estimator.published);
+  for (EngineAssignment& assignment : config.engines)
+    assignment.shadow = all_but(assignment.published.value_or(config.cycle.estimator.published));
 }
 
 void run_offline(const MonitorConfig& config, EngineTable& engines) {

@@ -38,6 +38,14 @@ const linear_model::Channel& design_channel(const SourceChannel& c, const linear
   return c.channel < EHM_MAX_SENSORS ? model.sensors.at(c.channel) : model.controls.at(c.channel - EHM_MAX_SENSORS);
 }
 
+/// What takes the published estimator away is an error, any other condition that begins a warning.
+spdlog::level::level_enum severity(const HealthEvent& event) {
+  const auto kind = static_cast<idl::EventKind>(event.kind());
+  if (event.raised() == 0 || kind == idl::EventKind::estimator_chosen) return spdlog::level::info;
+  const bool estimator = kind == idl::EventKind::estimator_fallback || kind == idl::EventKind::estimator_overrun;
+  return estimator ? spdlog::level::err : spdlog::level::warn;
+}
+
 std::string channel_text(const SourceChannel& c, const linear_model::LinearModel& model) {
   const bool sensor = c.channel < EHM_MAX_SENSORS;
   const char* what = sensor ? "sensor" : "actuator";
@@ -265,7 +273,7 @@ void Reporter::publish(HealthEvent& event) {
   events_.write(event);
   const std::string whom =
       event.engine_id() == 0 ? std::string() : "engine " + std::to_string(event.engine_id()) + ": ";
-  spdlog::log(event.raised() != 0 ? spdlog::level::warn : spdlog::level::info, "{}{}", whom, event.message().c_str());
+  spdlog::log(severity(event), "{}{}", whom, event.message().c_str());
 }
 
 void Reporter::report_overflow() {

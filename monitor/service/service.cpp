@@ -21,6 +21,7 @@
 #include "monitor/record/recorder.h"
 #include "monitor/service/cycle_thread.h"
 #include "monitor/service/reporter.h"
+#include "monitor/shared/engine_estimators.h"
 
 namespace ehm::monitor {
 
@@ -65,7 +66,7 @@ idl::ParticipantOptions watched_participant(const MonitorConfig& config, NoticeB
 /// Checkpoints are on: what is kept in flight, and what could be resumed at start.
 struct Checkpoints {
   Checkpoints(const MonitorConfig& config, const EngineTable& engines, NoticeBoard& notices)
-      : writer(config.checkpoint_directory, notices, design::companion_names(config.cycle.estimator).size()),
+      : writer(config.checkpoint_directory, notices, most_companions(config)),
         resumable(
             config.checkpoint_directory, config.checkpoint_max_age_s, wall_clock_ns(),
             [&](std::uint32_t id) {
@@ -73,8 +74,7 @@ struct Checkpoints {
               return design ? design->hash : std::string();
             },
             refused),
-        keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s,
-               design::companion_names(config.cycle.estimator).size()) {
+        keeper(writer, resumable, config.checkpoint_period_s, config.checkpoint_max_age_s, most_companions(config)) {
     for (const auto& r : refused)
       notices.post({.kind = idl::EventKind::checkpoint,
                     .raised = true,

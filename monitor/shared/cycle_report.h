@@ -33,7 +33,7 @@ struct SourceChannel {
 
 /// What became of a MonitorCommand that asks for an answer.
 struct OrderOutcome {
-  enum class Kind { done, other_schema, unknown_kind, not_served, too_soon };
+  enum class Kind { done, other_schema, unknown_kind, not_served, too_soon, not_flying, no_answer };
   Kind kind = Kind::done;
   std::uint32_t request = 0, order = 0;    ///< of the command: its request number, its MonitorCommandKind
   std::uint32_t engines = 0, refused = 0;  ///< that it is for; of those: not obeyed

@@ -3,10 +3,14 @@
 // One monitored engine: its cycle, its latencies, when it was last heard of.
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "monitor/cycle/monitor_cycle.h"
 #include "monitor/flight/flight_log.h"
+#include "monitor/realtime/clock.h"
 #include "monitor/realtime/latency_histogram.h"
+#include "monitor/shared/budget_watch.h"
 #include "monitor/shared/reset_throttle.h"
 
 namespace ehm::monitor {
@@ -36,8 +40,10 @@ struct EngineTally {
 };
 
 struct EngineSlot : EngineTally {
-  EngineSlot(const PreparedDesign& design, const CycleOptions& options)
-      : cycle(design, options), fan(fan_speed_of(cycle.design().model)) {}
+  EngineSlot(const PreparedDesign& design, const CycleOptions& options, std::vector<int> shadows = {})
+      : cycle(design, options), fan(fan_speed_of(cycle.design().model)), shadow_place(std::move(shadows)) {
+    cycle.measure(monotonic_ns);
+  }
 
   /// Everything but the cycle: another design goes on for the same engine. Real-time safe: yes.
   void inherit(const EngineSlot& before) noexcept {
@@ -50,6 +56,7 @@ struct EngineSlot : EngineTally {
     cycle = pristine;
     static_cast<EngineTally&>(*this) = {};
     engine_id = 0;
+    budget = {};
     checkpoint_ns = 0;
     checkpoint_processed = 0;
     released = false;
@@ -58,7 +65,9 @@ struct EngineSlot : EngineTally {
   std::uint32_t engine_id = 0;  ///< 0: nobody's yet
   std::size_t number = 0;       ///< its place in the table
   MonitorCycle cycle;
-  FanSpeed fan;                            ///< of the cycle's design
+  FanSpeed fan;                   ///< of the cycle's design
+  std::vector<int> shadow_place;  ///< of its shadows among those of all engines (engine_estimators.h)
+  BudgetWatch budget;
   std::int64_t checkpoint_ns = 0;          ///< monotonic, of the latest checkpoint
   std::uint64_t checkpoint_processed = 0;  ///< samples processed up to that checkpoint
   bool released = false;                   ///< its estimates are no longer written: the monitor stops

@@ -8,13 +8,14 @@
 #include "deploy/runtime/numbers/index.h"
 #include "monitor/design/design_file.h"
 #include "monitor/design/option_error.h"
+#include "monitor/shared/engine_estimators.h"
 
 namespace ehm::monitor {
 
 PreparedDesign EngineTable::prepare(const std::string& file, const CycleOptions& options, const EngineTable* before) {
   auto design = std::make_shared<const design::Design>(design::read_design(file));
   if (before)
-    for (const auto& [name, prepared] : before->designs_)
+    for (const auto& [flown, prepared] : before->designs_)
       if (prepared.design->hash == design->hash && prepared.serves(options)) return prepared;
   try {
     return PreparedDesign(std::move(design), options);
@@ -26,22 +27,24 @@ PreparedDesign EngineTable::prepare(const std::string& file, const CycleOptions&
   }
 }
 
-EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before) : index_(as_size(config.max_engines)) {
-  const auto make_slot = [&](const std::string& file) {
-    auto known = designs_.find(file);
-    if (known == designs_.end()) known = designs_.emplace(file, prepare(file, config.cycle, before)).first;
-    auto slot = std::make_unique<EngineSlot>(known->second, config.cycle);
+EngineTable::EngineTable(const MonitorConfig& config, const EngineTable* before)
+    : shadows_(all_shadow_names(config)), index_(as_size(config.max_engines)) {
+  const auto make_slot = [&](const std::string& file, const CycleOptions& options) {
+    const Flown flown{file, options.estimator.published, options.estimator.shadow};
+    auto known = designs_.find(flown);
+    if (known == designs_.end()) known = designs_.emplace(flown, prepare(file, options, before)).first;
+    auto slot = std::make_unique<EngineSlot>(known->second, options, shadow_places(options.estimator, shadows_));
     slot->number = slots_.size();
     return slot;
   };
   for (const auto& assignment : config.engines)
     for (const auto id : assignment.ids) {
-      slots_.push_back(make_slot(assignment.design));
+      slots_.push_back(make_slot(assignment.design, options_of(config, assignment)));
       assign(*slots_.back(), static_cast<std::uint32_t>(id));
     }
   named_ = slots_.size();
   if (config.design.empty()) return;
-  while (slots_.size() < as_size(config.max_engines)) slots_.push_back(make_slot(config.design));
+  while (slots_.size() < as_size(config.max_engines)) slots_.push_back(make_slot(config.design, config.cycle));
   free_ = slots_.size() - named_;
   if (free_ > 0) pristine_ = std::make_unique<const MonitorCycle>(slots_.back()->cycle);
 }

@@ -6,6 +6,7 @@
 //
 // @throws files::FileError if a design file is bad; std::invalid_argument if an option does not fit a design.
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -64,15 +65,18 @@ class EngineTable {
   /// The designs that fly, each once; at least one.
   std::vector<const design::Design*> designs() const;
   std::size_t size() const noexcept { return slots_.size(); }
+  /// Of all engines, in the order of their topics.
+  const std::vector<std::string>& shadows() const noexcept { return shadows_; }
 
  private:
-  /// By the name of its file.
-  using Designs = std::map<std::string, PreparedDesign>;
+  using Flown = std::array<std::string, 3>;  ///< file, published and shadow estimators
+  using Designs = std::map<Flown, PreparedDesign>;
   static PreparedDesign prepare(const std::string& file, const CycleOptions& options, const EngineTable* before);
   static bool same_engine(const EngineSlot& a, const EngineSlot& b) noexcept;
   void assign(EngineSlot& slot, std::uint32_t engine_id) noexcept;
 
   Designs designs_;
+  std::vector<std::string> shadows_;
   std::vector<std::unique_ptr<EngineSlot>> slots_;  ///< of engines that were named first, then those for others
   std::size_t named_ = 0, free_ = 0;                ///< of all slots
   std::unique_ptr<const MonitorCycle> pristine_;    ///< of the others' design; null where there is none

@@ -3,6 +3,7 @@
 // Everything that configures the monitor, as plain values; service/config.h gives each its key, range and description.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,11 @@
 
 namespace ehm::monitor {
 
-/// Which design flies for which engines; without [[engine]] tables every engine flies monitor.design.
+/// Which design and estimators fly for which engines; without [[engine]] tables every engine flies monitor.design.
 struct EngineAssignment {
   std::vector<std::int64_t> ids;
   std::string design;
+  std::optional<std::string> published = {}, shadow = {};  ///< without: those of [estimator]
 };
 
 /// Everything that the cycles see and say, in a file (deploy/docs/recording.md).

@@ -4,9 +4,13 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <csignal>
 #include <map>
 
+#include "idl/wire_names.h"
+#include "tests/integration/pair/engine_samples.h"
 #include "tests/integration/pair/pair.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -81,6 +85,111 @@ TEST_F(EstimatorTest, AnotherOneIsPublishedAndTheTunerFilterFliesBeside) {
   ASSERT_GE(shadow.size(), 533u);
   EXPECT_EQ(published.rbegin()->second.tuner_count(), 0u);
   EXPECT_EQ(shadow.rbegin()->second.tuner_count(), 7u);
+}
+
+/// Orders, and what becomes of them: samples are sent one by one, so that every order falls between two of them.
+class ChoiceTest : public PairTest {
+ protected:
+  void start(std::vector<std::string> flags) {
+    flags.insert(flags.end(), {"--monitor-clock", "source"});  // a pause of ours is no silence of the engine
+    monitor_ = start_monitor(flags);
+    ASSERT_TRUE(listener_.await([&] { return writer_.matched() == 2 && commands_.matched() == 1; })) << monitor_->log();
+  }
+  /// Sends so many and awaits the estimate of the last.
+  void send(int samples) {
+    for (int k = 0; k < samples; ++k) writer_.write(last_ = samples_.next());
+    ASSERT_TRUE(listener_.await([&] {
+      take_all(shadow_, shadow_health_);
+      return !listener_.health.empty() && !shadow_health_.empty() &&
+             listener_.health.back().sequence_number() == last_.sequence_number() &&
+             shadow_health_.back().sequence_number() == last_.sequence_number();
+    })) << monitor_->log();
+  }
+  CommandReply order(const char* estimator) {
+    MonitorCommand command;
+    command.engine_id(1);
+    command.schema(idl::schema_version);
+    command.kind(static_cast<std::uint32_t>(idl::MonitorCommandKind::publish) +
+                 static_cast<std::uint32_t>(idl::estimator_number(estimator)));
+    command.request(++requests_);
+    commands_.write(command);
+    CommandReply reply;
+    EXPECT_TRUE(listener_.await([&] {
+      while (replies_.take(reply))
+        if (reply.request() == requests_) return true;
+      return false;
+    }));
+    return reply;
+  }
+
+  std::unique_ptr<Process> monitor_;
+  EngineSamples samples_{design_file(), 1};
+  EngineSensors last_;
+  std::uint32_t requests_ = 0;
+  idl::Writer<EngineSensors> writer_{participant_};
+  idl::Writer<MonitorCommand> commands_{participant_};
+  idl::Reader<CommandReply> replies_{participant_};
+  idl::Reader<EngineHealth> shadow_{participant_, "gauss_markov"};
+  std::vector<EngineHealth> shadow_health_;
+};
+
+TEST_F(ChoiceTest, AnOrderPublishesAnotherWithoutAGapAndOfflineRepeatsIt) {
+  const TemporaryFolder folder;
+  start({"--estimator-shadow", "gauss_markov", "--record", folder.path("online.h5")});
+  send(200);
+  EXPECT_NE(listener_.health.back().health(), shadow_health_.back().health());
+
+  CommandReply reply = order("gauss_markov");
+  EXPECT_EQ(reply.accepted(), 1u);
+  EXPECT_STREQ(reply.message().c_str(), "estimates of gauss_markov are published");
+  EXPECT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::estimator_chosen, true); }));
+  send(100);
+  EXPECT_EQ(listener_.health.back().health(), shadow_health_.back().health());
+  EXPECT_EQ(listener_.health.back().tuner_count(), 0u);
+
+  reply = order("time_varying");
+  EXPECT_EQ(reply.accepted(), 0u);
+  EXPECT_THAT(reply.message().c_str(), testing::HasSubstr("time_varying does not fly for 1 of 1 engines"));
+  EXPECT_EQ(order("tuner").accepted(), 1u);
+  send(100);
+  EXPECT_EQ(listener_.health.back().tuner_count(), 7u);
+  std::uint64_t expected = listener_.health.front().sequence_number();
+  for (const EngineHealth& health : listener_.health) ASSERT_EQ(health.sequence_number(), expected++);
+
+  monitor_->signal(SIGTERM);
+  ASSERT_EQ(monitor_->wait(seconds(10)), 0);
+  Process offline({monitor_program(), "--monitor-design", design_file(), "--estimator-shadow", "gauss_markov",
+                   "--offline", folder.path("online.h5"), "--out", folder.path("again.h5")});
+  ASSERT_EQ(offline.wait(seconds(30)), 0) << offline.log();
+  EXPECT_THAT(offline.log(),
+              testing::HasSubstr("800 identical to the bit, 0 different"));  // 400 samples, two rows each
+}
+
+TEST_F(ChoiceTest, AnEngineFliesTheEstimatorsOfItsTable) {
+  const std::string config = file("engines.toml", "[[engine]]\nids = [1]\ndesign = \"" + design_file() +
+                                                      "\"\npublished = \"time_varying\"\nshadow = \"gauss_markov\"\n");
+  start({"--config", config});
+  send(50);
+  EXPECT_EQ(listener_.health.back().tuner_count(), 0u);  // not the tuner filter
+  EXPECT_NE(listener_.health.back().health(), shadow_health_.back().health());
+  EXPECT_EQ(order("gauss_markov").accepted(), 1u);
+}
+
+TEST_F(ChoiceTest, WhoOverrunsTheBudgetRestsAndTheTunerFilterTakesItsPlace) {
+  // No estimator updates within 0.1 us.
+  start(
+      {"--estimator-published", "time_varying", "--estimator-shadow", "gauss_markov", "--estimator-budget-ms", "1e-4"});
+  for (int k = 0; k < 10; ++k) writer_.write(samples_.next());
+  ASSERT_TRUE(listener_.await([&] { return listener_.has_event(idl::EventKind::estimator_fallback, true); }));
+  EXPECT_TRUE(listener_.has_event(idl::EventKind::estimator_overrun, true));
+  EXPECT_THAT(listener_.find_event(idl::EventKind::estimator_overrun, true)->message().c_str(),
+              testing::HasSubstr("3 times in a row more than"));
+  ASSERT_TRUE(listener_.await([&] {
+    writer_.write(samples_.next());
+    return !listener_.health.empty() && (listener_.health.back().flags() & idl::estimate_flag::fallback) != 0;
+  }));
+  EXPECT_EQ(listener_.health.back().tuner_count(), 7u);
+  EXPECT_EQ(order("gauss_markov").accepted(), 0u);  // at rest as well
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace ehm::recording {
 
 inline constexpr std::size_t flight_channels = 3;  ///< altitude_m, mach, delta_isa_k
 inline constexpr std::size_t max_actuators = 8, max_sensors = 16, max_health = 16, max_auxiliary = 8;
-inline constexpr int max_shadows = 15;  ///< estimators beside the published one
+inline constexpr int max_shadows = 16;  ///< estimators beside published ones
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 enum class RowKind : std::int64_t {
@@ -25,7 +25,9 @@ enum class RowKind : std::int64_t {
   resumed = 3,         ///< the filter did not start cold, but from a checkpoint or by a reload
   described_anew = 4,  ///< the source described its channels otherwise: the filter restarted
   left = 5,            ///< silent for so long that its filter was given back
-  shadow = 16          ///< what another estimator made of the sample before it; 17 to 30: the second and further ones
+  chosen = 6,          ///< an order has chosen whose estimates are published; age_ns: idl::EstimatorNumber
+  rested = 7,          ///< an estimator overran its budget and rests from here on; age_ns as of chosen
+  shadow = 16          ///< what another estimator made of the sample before it; 17 to 31: the second and further ones
 };
 
 /// Table A: all whole numbers, in the order of its columns (layout.h names them). Unsigned values of the wire keep
@@ -36,7 +38,7 @@ struct Identity {
   std::int64_t source_time_ns = 0;
   std::int64_t received_ns = 0;  ///< the monitor's monotonic clock
   std::int64_t kind = 0;         ///< RowKind
-  std::int64_t age_ns = 0;       ///< RowKind::input_lost: of the last sample
+  std::int64_t age_ns = 0;       ///< by RowKind; input_lost: of the last sample
   std::int64_t schema = 0;
   std::int64_t source_id = 0;
   std::int64_t writer = 0;  ///< tells writers with the same source_id apart; 0: not known

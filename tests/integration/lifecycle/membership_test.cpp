@@ -161,7 +161,7 @@ TEST_F(MembershipTest, AnOrderThatCannotBeCarriedOutIsAnswered) {
   MonitorCommand odd = reset(1, 72);
   odd.kind(99);
   commands_.write(odd);
-  EXPECT_STREQ(reply(72)->message().c_str(), "kind 99 is unknown, 1 is a reset");
+  EXPECT_STREQ(reply(72)->message().c_str(), "kind 99 is unknown, 1 is a reset, from 256 on estimators are published");
   odd = reset(1, 73);
   odd.schema(5);
   commands_.write(odd);

@@ -92,8 +92,11 @@ TEST_F(ReloadTest, WhatIsWrongLeavesTheOldOneFlying) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_NE(refused("[[engine]]\nids = [1]\ndesign = \"" + pipe + "\"\n").find("pipe: is a pipe"), std::string::npos);
   EXPECT_NE(refused("[[engine]]\nids = [1]\ndesign = \"/dev/zero\"\n").find("is a device"), std::string::npos);
+  EXPECT_NE(refused("[[engine]]\nids = [1]\ndesign = \"" + design_file() + "\"\nshadow = \"ekf\"\n")
+                .find("'shadow' of the [[engine]] tables"),
+            std::string::npos);
   EXPECT_EQ(restarts(), 0u);
-  EXPECT_EQ(listener_.status.back().reloads_refused(), 7u);
+  EXPECT_EQ(listener_.status.back().reloads_refused(), 8u);
   EXPECT_EQ(listener_.status.back().reloads(), 0u);
   expect_no_gap();
   configure("");

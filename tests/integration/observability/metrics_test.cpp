@@ -157,7 +157,7 @@ TEST_F(MetricsTest, OfALoopThatHangsTellTheirAgeAndAreNotReady) {
 }
 
 TEST_F(MetricsTest, AreWhatDashboardAlertsAndDocumentationName) {
-  const auto monitor = start_watched_monitor();
+  const auto monitor = start_watched_monitor({"--estimator-shadow", "time_varying"});
   const auto simulator = start_simulator();
   ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 10 && !listener_.status.empty(); }));
   Exposition metrics = scrape();
@@ -174,6 +174,31 @@ TEST_F(MetricsTest, AreWhatDashboardAlertsAndDocumentationName) {
     EXPECT_GT(found, 10) << file;
   }
   for (const auto& [metric, family] : metrics.families()) EXPECT_THAT(page, HasSubstr("`" + metric + "`"));
+}
+
+TEST_F(MetricsTest, TellHowEachEstimatorDoes) {
+  const auto monitor = start_watched_monitor({"--estimator-shadow", "time_varying"});
+  const auto simulator = start_simulator();
+  Labels shadow = engine_1, tuner = engine_1;
+  shadow["estimator"] = "time_varying";
+  tuner["estimator"] = "tuner";
+  Exposition metrics = scrape();
+  ASSERT_TRUE(listener_.await([&] {
+    metrics = scrape();
+    return metrics.has("ehm_estimator_samples_total") && metrics.value("ehm_estimator_samples_total", shadow) > 100.0;
+  }));
+  EXPECT_EQ(metrics.value("ehm_estimator_published", tuner), 1.0);
+  EXPECT_EQ(metrics.value("ehm_estimator_published", shadow), 0.0);
+  EXPECT_EQ(metrics.value("ehm_estimator_difference", tuner), 0.0);
+  EXPECT_GT(metrics.value("ehm_estimator_difference", shadow), 0.0);
+  for (const Labels& labels : {tuner, shadow}) {
+    const double samples = metrics.value("ehm_estimator_samples_total", labels);
+    EXPECT_EQ(metrics.value("ehm_estimator_answers_total", labels), samples);
+    EXPECT_GT(metrics.value("ehm_estimator_seconds_total", labels), 1e-7 * samples);  // no filter is that fast
+    EXPECT_GE(metrics.value("ehm_estimator_longest_seconds", labels),
+              metrics.value("ehm_estimator_seconds_total", labels) / samples);
+    EXPECT_NEAR(metrics.value("ehm_estimator_innovation_ratio", labels), 1.0, 0.25);
+  }
 }
 
 TEST_F(MetricsTest, ATakenPortIsSaidAndTheMonitorFlies) {

@@ -90,6 +90,14 @@ TEST(Order, ClearAndReset) {
   EXPECT_EQ(reset.schema(), idl::schema_version);
 }
 
+TEST(Order, PublishNamesAnEstimatorByItsNumber) {
+  const auto publish = std::get<MonitorCommand>(parsed("publish ekf").command);
+  EXPECT_EQ(publish.kind(), 256u + 5u);  // wire_values.h
+  EXPECT_EQ(publish.schema(), idl::schema_version);
+  EXPECT_THAT(error("publish"), HasSubstr("estimator is required"));
+  EXPECT_THAT(error("publish kalman"), HasSubstr("kalman not in {tuner,gauss_markov,"));
+}
+
 TEST(Order, WhatIsWrongIsSaid) {
   EXPECT_THAT(error(""), HasSubstr("A subcommand is required"));
   EXPECT_THAT(error("fault T48 bais 1"), HasSubstr("bais not in {bias,drift,stuck,dropout,noise}"));

@@ -10,6 +10,7 @@
 
 #include "monitor/cycle/monitor_cycle.h"
 #include "tests/unit/monitor/cycle/flight.h"
+#include "tests/unit/monitor/cycle/moody.h"
 
 namespace {
 
@@ -17,36 +18,6 @@ using namespace ehm;
 using monitor::EstimatorFallback;
 using monitor::EventList;
 using monitor::MonitorCycle;
-
-/// Answers while it is told to; its health is 0.5 of everything.
-class Moody final : public estimation::Estimator {
- public:
-  explicit Moody(std::shared_ptr<const bool> answers) : answers_(std::move(answers)) {
-    estimate_.health.setConstant(10, 0.5);
-    estimate_.health_sigma = estimate_.health_sigma_filter = estimate_.health;
-    estimate_.auxiliary.setConstant(4, 1.0);
-    estimate_.auxiliary_sigma = estimate_.auxiliary_sigma_filter = estimate_.auxiliary;
-    innovation_.value.setZero(7);
-    innovation_.variance.setOnes(7);
-  }
-  [[nodiscard]] std::unique_ptr<Estimator> clone() const override { return std::make_unique<Moody>(answers_); }
-  void reset() noexcept override {}
-  bool use(estimation::SensorMask) noexcept override { return true; }
-  void predict(const estimation::Conditions&, int) noexcept override {}
-  void innovate(const estimation::SensorVector&, const estimation::Conditions&) noexcept override {}
-  void update(estimation::SensorMask, std::int64_t) noexcept override { estimate_.holds = *answers_; }
-  void widen(double) noexcept override {}
-  void save(estimation::EstimatorState&) const noexcept override {}
-  bool restore(const estimation::EstimatorState&) noexcept override { return false; }
-  [[nodiscard]] double distance(const estimation::Conditions&) const noexcept override { return 0.0; }
-  [[nodiscard]] const estimation::Innovation& innovation() const noexcept override { return innovation_; }
-  [[nodiscard]] const estimation::Estimate& estimate() const noexcept override { return estimate_; }
-
- private:
-  std::shared_ptr<const bool> answers_;
-  estimation::Estimate estimate_;
-  estimation::Innovation innovation_;
-};
 
 int count(const EventList& events, bool raised) {
   return static_cast<int>(std::count_if(events.begin(), events.end(), [&](const auto& e) {
@@ -72,7 +43,7 @@ TEST(EstimatorFallback, NeedsThreeInARowAndTwoHundredToReturn) {
 TEST(EstimatorFallback, TheCyclePublishesTheWatchFilterMeanwhileAndSaysSo) {
   const auto answers = std::make_shared<bool>(true);
   monitor::PreparedDesign prepared(test::made_up_design());
-  prepared.companions.push_back({"moody", std::make_shared<const Moody>(answers)});
+  prepared.companions.push_back({"moody", std::make_shared<const test::Moody>(answers)});
   prepared.published = 0;
   MonitorCycle cycle(prepared, {});
   test::Flight flight(test::made_up_design()->model, Eigen::VectorXd::Zero(10), 3);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The schemas of both services: their files, tables and cross checks.
 
+#include <gmock/gmock.h>
+
 #include "engine_sim/scenario/scenario_file.h"
 #include "monitor/service/config.h"
 #include "tests/unit/deploy/runtime/config/config_file.h"
@@ -211,6 +213,10 @@ TEST(MonitorConfig, NamesEveryMistake) {
             "4: 'sensor.name' names 'T48' twice; one table is allowed");
   EXPECT_EQ(monitor_error("[[engine]]\nids = []\ndesign = \"a\"\n"),
             "1: 'engine.ids' is empty, allowed is at least one id");
+  EXPECT_THAT(monitor_error("[[engine]]\nids = [1]\ndesign = \"a\"\npublished = \"kalman\"\n"),
+              testing::StartsWith("4: 'engine.published' is 'kalman', allowed is tuner, "));
+  EXPECT_EQ(monitor_error("[[engine]]\nids = [1]\ndesign = \"a\"\nshadow = \"ekf,ekf\"\n"),
+            "'engine.shadow' of engine 1: 'ekf' stands twice; allowed is once");
   EXPECT_EQ(monitor_error("[monitor]\nmax_engines = 0\n"),
             "2: 'monitor.max_engines' is 0, allowed is a whole number from 1 to 1000 engines");
   EXPECT_EQ(monitor_error("[dds]\ndomain = 233\n"), "2: 'dds.domain' is 233, allowed is a whole number from 0 to 232");
