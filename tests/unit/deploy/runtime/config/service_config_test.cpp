@@ -214,7 +214,7 @@ TEST(MonitorConfig, NamesEveryMistake) {
   EXPECT_EQ(monitor_error("[[engine]]\nids = []\ndesign = \"a\"\n"),
             "1: 'engine.ids' is empty, allowed is at least one id");
   EXPECT_THAT(monitor_error("[[engine]]\nids = [1]\ndesign = \"a\"\npublished = \"kalman\"\n"),
-              testing::StartsWith("4: 'engine.published' is 'kalman', allowed is tuner, "));
+              testing::StartsWith("4: 'engine.published' is 'kalman', allowed is one of tuner, "));
   EXPECT_EQ(monitor_error("[[engine]]\nids = [1]\ndesign = \"a\"\nshadow = \"ekf,ekf\"\n"),
             "'engine.shadow' of engine 1: 'ekf' stands twice; allowed is once");
   EXPECT_EQ(monitor_error("[monitor]\nmax_engines = 0\n"),
