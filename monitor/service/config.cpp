@@ -94,7 +94,8 @@ void declare_estimators(Schema& schema, EstimatorOptions& o) {
               "estimators that fly beside it, with commas between; theirs are published as EngineHealth/NAME and "
               "EngineAuxiliary/NAME, and recorded");
   schema.real("estimator.memory_s", o.memory_s, 1, 1e7, "s",
-              "of gauss_markov: what no sensor sees returns to the fleet's mean within that time");
+              "of gauss_markov: what no sensor sees returns to the fleet's mean within that time; of rls: so long a "
+              "reading counts");
   schema.text("estimator.engine", o.engine,
               "of onboard: the engine that it flies, the name of a shipped one or an engine file; empty: the design's");
   schema.choice("estimator.mismatch", o.mismatch, {"none", "build", "all"},
@@ -116,7 +117,7 @@ void declare_estimators(Schema& schema, EstimatorOptions& o) {
               "of constrained: the bound stays so far behind the estimate; at 0 noise pushes the estimate on");
   schema.flag("estimator.constraint_feeds_back", o.constraint_feeds_back,
               "of constrained: the estimator goes on from the constrained health, and becomes biased the way of wear; "
-              "not with tuner, scheduled or truncation");
+              "not with tuner, map, wls, scheduled or truncation");
   schema.text("estimator.wear_raises", o.wear_raises,
               "of constrained: health parameters that wear raises, with commas between; empty: flow capacities of "
               "turbines");
