@@ -4,9 +4,9 @@
 # Usage: deploy/demo.sh [--mission | --seconds N] [--estimator NAME] [--json]
 #   --mission     a whole flight from taxi to taxi in 72 s, and its summary at landing
 #   --seconds N   length of the flight, 12 to 86400 (default 30); at 10 s HPC efficiency falls by 2 %
-#   --estimator NAME   whose estimates are published: tuner (default), gauss_markov, time_varying, constrained, ekf, iekf,
-#                 clipped_ekf, ukf, or for comparison particle, ekpf, cekpf; with --mission onboard (default), or scheduled,
-#                 which is deaf to a step of health and has none in its flight
+#   --estimator NAME   whose estimates are published: tuner (default), gauss_markov, time_varying, map, rls, constrained,
+#                 ekf, iekf, clipped_ekf, ukf, or for comparison wls, particle, ekpf, cekpf; with --mission onboard
+#                 (default), or scheduled, which is deaf to a step of health and has none in its flight
 #   --json        print the summary as one JSON object and nothing else on standard output
 # Exit: 0 nothing lost or withheld and every estimate within 3 published sigmas, 1 otherwise, 2 wrong usage
 # EHM_BUILD_DIR names another build folder, EHM_DDS_DOMAIN another DDS domain (default 42), EHM_DEMO_CSV a file for every
@@ -38,7 +38,7 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-if "$mission"; then names='onboard scheduled'; else names='tuner gauss_markov time_varying constrained ekf iekf clipped_ekf ukf particle ekpf cekpf'; fi
+if "$mission"; then names='onboard scheduled'; else names='tuner gauss_markov time_varying map wls rls constrained ekf iekf clipped_ekf ukf particle ekpf cekpf'; fi
 estimator=${estimator:-${names%% *}}
 if [[ " $names " != *" $estimator "* ]]; then
   echo "demo: --estimator is '$estimator', allowed is one of ${names// /, }" >&2
@@ -90,6 +90,7 @@ case "$estimator" in
   *ekf | ukf | particle | *ekpf)  # their engine has the sensors of the demo's, which do not lag, and health that may step
     more+=(--estimator-lag-speed-s 0 --estimator-lag-pressure-s 0 --estimator-lag-temperature-s 0
            --estimator-health-walk-percent 0.003) ;;
+  rls) more+=(--estimator-memory-s 2) ;;  # as the tuner filter, to follow a step
   constrained) more+=(--estimator-constrained-of gauss_markov) ;;  # what follows a step
 esac
 if "$mission"; then

@@ -77,7 +77,7 @@ struct EstimatorOptions {
   std::string published = "tuner";  ///< whose estimates go out as EngineHealth and EngineAuxiliary
   std::string shadow;               ///< whose go out under their own names beside them, with commas between
   double budget_ms = 7.5;           ///< what one may take for a sample; 0: without limit
-  double memory_s = 3600.0;         ///< of gauss_markov: in which it forgets what no sensor sees
+  double memory_s = 3600.0;         ///< of gauss_markov, rls: in which they forget
   std::string engine;               ///< of onboard and the nonlinear filters: name or file; empty: the design's
   std::string mismatch = "all";     ///< of onboard: which causes it looks for (mismatch_choices)
   double lag_speed_s = 0.02, lag_pressure_s = 0.04, lag_temperature_s = 0.7;  ///< of onboard, where its file has none

@@ -12,6 +12,7 @@
 #include "monitor/design/make_nonlinear.h"
 #include "monitor/design/make_on_board.h"
 #include "monitor/design/make_scheduled.h"
+#include "monitor/design/make_snapshot.h"
 #include "monitor/design/option_error.h"
 
 namespace ehm::design {
@@ -24,6 +25,12 @@ template <NonlinearKind kind>
 std::unique_ptr<Estimator> nonlinear(const Design& design, const EstimatorOptions& options,
                                      const estimation::PointDistance&) {
   return make_nonlinear_estimator(kind, design, options);
+}
+
+template <SnapshotKind kind>
+std::unique_ptr<Estimator> snapshot(const Design& design, const EstimatorOptions& options,
+                                    const estimation::PointDistance& distance) {
+  return make_snapshot_estimator(kind, design, options, distance);
 }
 
 const EstimatorKind* kind_of(std::string_view name) noexcept;
@@ -52,6 +59,12 @@ constexpr std::array kinds{
                     return std::make_unique<estimation::TimeVaryingEstimator>(make_time_varying_model(design),
                                                                               distance);
                   }},
+    EstimatorKind{"map", "maximum a posteriori of one sample alone: the best linear estimate without memory",
+                  EstimatorBasis::design, snapshot<SnapshotKind::map>},
+    EstimatorKind{"wls", "weighted least squares of one sample alone, of least norm: for comparison only",
+                  EstimatorBasis::design, snapshot<SnapshotKind::wls>},
+    EstimatorKind{"rls", "recursive least squares over samples, which are forgotten in estimator.memory_s",
+                  EstimatorBasis::design, snapshot<SnapshotKind::rls>},
     EstimatorKind{on_board_name,
                   "the nonlinear engine itself as model, from taxi to taxi, with what its build may differ by",
                   EstimatorBasis::engine,
@@ -83,6 +96,7 @@ constexpr std::array kinds{
         [](const Design& design, const EstimatorOptions& options, const estimation::PointDistance& distance) {
           return make_constrained_estimator(constrained_kind(options).make(design, options, distance), design, options);
         }}};
+static_assert(kinds.size() <= 1 + max_shadows, "all of them can fly beside each other");
 
 const EstimatorKind* kind_of(std::string_view name) noexcept {
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const EstimatorKind& k) { return name == k.name; });

@@ -36,7 +36,8 @@ struct EstimatorKind {
 /// All of them, the tuner filter first.
 std::span<const EstimatorKind> estimator_kinds() noexcept;
 
-inline constexpr std::size_t max_shadows = 15;
+/// That a recording has rows for (deploy/runtime/recording/row.h).
+inline constexpr std::size_t max_shadows = 32;
 
 /// The names in estimator.shadow, in their order.
 /// @throws std::invalid_argument (value, allowed) if one is not known, stands twice, is published, or is one too many.

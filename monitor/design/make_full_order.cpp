@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monitor/design/make_full_order.h"
 
-#include <cmath>
-#include <numeric>
-
 #include "deploy/runtime/numbers/index.h"
-#include "engine_sim/linear_model/discretise.h"
 #include "engine_sim/linear_model/scaling.h"
 #include "monitor/design/gauss_markov_design.h"
 #include "monitor/design/make_error_model.h"
+#include "monitor/design/scaled_design.h"
 #include "monitor/estimation/linear/solver_error.h"
 
 namespace ehm::design {
 namespace {
-
-linear_model::LinearModel discrete_scaled(const Design& design) {
-  const linear_model::LinearModel& model = design.model;
-  return linear_model::scaled(model.discrete ? model : linear_model::discretise(model), design.scaling);
-}
-
-estimation::ChannelUnits units_of(const Design& design) {
-  const linear_model::LinearModel& model = design.model;
-  return {trims(model.sensors),  design.scaling.sensor,  trims(model.controls),   trims(model.health),
-          design.scaling.health, trims(model.auxiliary), design.scaling.auxiliary};
-}
 
 /// The filter's own sigmas, from (I - K C) P.
 void add_own_sigmas(estimation::GaussMarkovSet& set, const SubsetDesign& subset, const linear_model::LinearModel& model,

@@ -6,13 +6,14 @@
 //   tuner          [x; q] of the set in use    M, S of error_propagation.h
 //   gauss_markov   [x; h]                      M, S of the set in use
 //   time_varying   [x; h]                      D and P of time_varying_filter.h in the places of M and S
+//   map, wls, rls  [xu; hhat]                  [0; Bh Bo] and cov([dx; eps]) of snapshot/snapshot_error.h there
 //   onboard        none: what the flight has taught so far (learned.h), from which it begins anew, its speeds measured
 //                  and its metal's temperatures in doubt, as after any start in flight
 //
 //   constrained    that of the one inside, and the constraint's own beside it
 //
-// M and D are the same: E[xhat - [x; h] | what is unknown but constant]. Not kept, since the next sample brings it: the
-// innovations, the actuators, what widen() was told.
+// M and D are the same: E[xhat - [x; h] | what is unknown but constant]; so is [0; Bh Bo], in sigmas of the fleet. Not
+// kept, since the next sample brings it: the innovations, the actuators, what widen() was told.
 
 #include <cstdint>
 

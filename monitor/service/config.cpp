@@ -101,7 +101,8 @@ void declare_estimators(Schema& schema, EstimatorOptions& o) {
               "what one estimator may take for a sample: who takes longer three times in a row rests for 10 s, and the "
               "tuner filter's estimates go out in its place; 0 is without limit");
   schema.real("estimator.memory_s", o.memory_s, 1, 1e7, "s",
-              "of gauss_markov: what no sensor sees returns to the fleet's mean within that time");
+              "of gauss_markov: what no sensor sees returns to the fleet's mean within that time; of rls: so long a "
+              "reading counts");
   schema.text("estimator.engine", o.engine,
               "of onboard: the engine that it flies, the name of a shipped one or an engine file; empty: the design's");
   schema.choice("estimator.mismatch", o.mismatch, {"none", "build", "all"},
@@ -124,7 +125,7 @@ void declare_estimators(Schema& schema, EstimatorOptions& o) {
               "of constrained: the bound stays so far behind the estimate; at 0 noise pushes the estimate on");
   schema.flag("estimator.constraint_feeds_back", o.constraint_feeds_back,
               "of constrained: the estimator goes on from the constrained health, and becomes biased the way of wear; "
-              "not with tuner, scheduled or truncation");
+              "not with tuner, map, wls, scheduled or truncation");
   schema.text("estimator.wear_raises", o.wear_raises,
               "of constrained: health parameters that wear raises, with commas between; empty: flow capacities of "
               "turbines");

@@ -298,6 +298,8 @@ void choose_offline_estimator(MonitorConfig& config, bool named) {
   spdlog::info("{} flies, as {} was recorded", recorded, config.offline.file);
 }
 
+static_assert(design::max_shadows == std::size_t{recording::max_shadows}, "every shadow has a kind of row");
+
 void choose_all_estimators(MonitorConfig& config) {
   if (!config.offline.all_estimators) return;
   std::vector<design::Design> designs;

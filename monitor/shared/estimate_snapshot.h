@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "idl/wire_names.h"
 #include "monitor/cycle/monitor_cycle.h"
-#include "monitor/design/make_estimator.h"
 
 namespace ehm::monitor {
 
@@ -26,7 +26,7 @@ struct EstimateSnapshot {
   bool present = false;  ///< there are estimates to show
   std::array<float, estimation::max_health> health{}, health_sigma{};
   std::array<float, estimation::max_auxiliary> auxiliary{}, auxiliary_sigma{};
-  std::array<EstimatorFigures, design::max_shadows + 2> estimators{};
+  std::array<EstimatorFigures, idl::estimator_names.size() + 1> estimators{};
   std::size_t estimator_count = 0;  ///< 0 where the tuner filter flies alone
 };
 

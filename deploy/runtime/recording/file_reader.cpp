@@ -11,6 +11,10 @@ namespace ehm::recording {
 
 using files::FileError;
 
+namespace {
+constexpr std::size_t longest_text = 4096;  // of an attribute: a damaged file must not ask for all memory
+}
+
 FileReader::FileReader(const std::string& path) : path_(path) {
   prepare_hdf5();
   open();
@@ -44,11 +48,13 @@ void FileReader::read_info() {
     check(H5Aread(attribute, type, value), path_, std::string("read attribute '") + name + "'");
   };
   const auto read_text = [&](const char* name) {
-    const Hdf5Object type(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(type, text_size + 1);
-    std::array<char, text_size + 1> text{};
+    const Hdf5Object attribute(H5Aopen(file_, name, H5P_DEFAULT), H5Aclose);
+    const Hdf5Object stored(attribute < 0 ? -1 : H5Aget_type(attribute), H5Tclose), type(H5Tcopy(H5T_C_S1), H5Tclose);
+    const std::size_t size = std::min(stored < 0 ? text_size : H5Tget_size(stored), longest_text);
+    H5Tset_size(type, size + 1);
+    std::string text(size + 1, '\0');
     read(name, type, text.data());
-    return std::string(text.data());
+    return std::string(text.c_str());
   };
   if (const std::string format = read_text("format"); format != format_name)
     throw FileError(path_ + ": attribute 'format' is '" + format + "', allowed is '" + format_name + "'");

@@ -15,7 +15,7 @@ namespace ehm::recording {
 
 inline constexpr std::size_t flight_channels = 3;  ///< altitude_m, mach, delta_isa_k
 inline constexpr std::size_t max_actuators = 8, max_sensors = 16, max_health = 16, max_auxiliary = 8;
-inline constexpr int max_shadows = 16;  ///< estimators beside published ones
+inline constexpr int max_shadows = 32;  ///< estimators beside published ones
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 enum class RowKind : std::int64_t {
@@ -27,7 +27,7 @@ enum class RowKind : std::int64_t {
   left = 5,            ///< silent for so long that its filter was given back
   chosen = 6,          ///< an order has chosen whose estimates are published; age_ns: idl::EstimatorNumber
   rested = 7,          ///< an estimator overran its budget and rests from here on; age_ns as of chosen
-  shadow = 16          ///< what another estimator made of the sample before it; 17 to 31: the second and further ones
+  shadow = 16          ///< what another estimator made of the sample before it; 17 to 47: the second and further ones
 };
 
 /// Table A: all whole numbers, in the order of its columns (layout.h names them). Unsigned values of the wire keep

@@ -9,9 +9,9 @@ namespace ehm::recording {
 
 namespace {
 
-Hdf5Object text_type() {
+Hdf5Object text_type(std::size_t size = text_size) {
   const hid_t type = H5Tcopy(H5T_C_S1);
-  H5Tset_size(type, text_size);
+  H5Tset_size(type, size);
   H5Tset_strpad(type, H5T_STR_NULLPAD);
   return {type, H5Tclose};
 }
@@ -61,7 +61,7 @@ void Writer::write_attributes(const FileInfo& info) {
   write("sample_time_s", H5T_NATIVE_DOUBLE, &info.sample_time_s);
   write("created_by", text, padded(info.created_by).data());
   if (!info.published.empty()) write("published", text, padded(info.published).data());
-  if (!info.shadows.empty()) write("shadows", text, padded(info.shadows).data());
+  if (!info.shadows.empty()) write("shadows", text_type(info.shadows.size()), info.shadows.data());  // all of them
 }
 
 void Writer::create_tables() {

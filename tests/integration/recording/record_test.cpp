@@ -132,7 +132,7 @@ TEST_F(RecordTest, EverySampleAndEstimateIsThereAndOfflineAndReplayAreIdenticalT
               AllOf(HasSubstr("estimates of the input: 3000 identical to the bit, 0 different"),
                     HasSubstr("scheduled does not fly")));
   const auto all = read_rows(folder_.path("all.h5"));
-  constexpr int shadows = 11;
+  constexpr int shadows = 14;
   for (int i = 0; i <= shadows; ++i)
     EXPECT_EQ(rows_of(all, 1, static_cast<RowKind>(static_cast<int>(RowKind::shadow) + i)).size(),
               i < shadows ? 3000u : 0u)

@@ -43,6 +43,13 @@ Row constrained(const std::string& label, const std::string& of, const std::stri
   return row;
 }
 
+/// With a memory that the test's flights are long against.
+Row forgetful(const std::string& name, double memory_s) {
+  Row row{name + "_forgetful", name, {}};
+  row.options.memory_s = memory_s;
+  return row;
+}
+
 SensorMask all_sensors() {
   return SensorMask((1u << sensors) - 1);
 }
@@ -345,7 +352,9 @@ std::vector<Row> every_row() {
                          constrained("truncated_gauss_markov", "gauss_markov", "truncation", false),
                          constrained("gauss_markov_fed_back", "gauss_markov", "projection", true),
                          constrained("truncated", "time_varying", "truncation", false),
-                         constrained("fed_back", "time_varying", "projection", true)})
+                         constrained("fed_back", "time_varying", "projection", true),
+                         constrained("clamped_wls", "wls", "projection_identity", false),
+                         constrained("rls_fed_back", "rls", "projection", true), forgetful("rls", 5.0)})
     rows.push_back(row);
   return rows;
 }
@@ -368,10 +377,10 @@ TEST(EstimatorTable, NamesAreRefusedWithWhatIsAllowed) {
   EXPECT_EQ(refused("tuner", ""), "");
   EXPECT_EQ(refused("tuner", "gauss_markov,time_varying"), "");
   EXPECT_EQ(refused("time_varying", "tuner"), "");
-  EXPECT_EQ(refused("tuner", "kalman"),
-            "'kalman' is no estimator; allowed: tuner, gauss_markov, time_varying, onboard, scheduled, ekf, iekf, "
-            "clipped_ekf, ukf, "
-            "particle, ekpf, cekpf, constrained");
+  EXPECT_EQ(
+      refused("tuner", "kalman"),
+      "'kalman' is no estimator; allowed: tuner, gauss_markov, time_varying, map, wls, rls, onboard, scheduled, ekf, "
+      "iekf, clipped_ekf, ukf, particle, ekpf, cekpf, constrained");
   EXPECT_THAT(refused("tuner", "gauss_markov,"), testing::HasSubstr("'' is no estimator"));
   EXPECT_THAT(refused("tuner", "tuner"), testing::HasSubstr("published already"));
   EXPECT_THAT(refused("tuner", "gauss_markov,gauss_markov"), testing::HasSubstr("stands twice"));

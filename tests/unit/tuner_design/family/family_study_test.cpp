@@ -50,8 +50,8 @@ std::string text(const FamilyStudy& study) {
 TEST(FamilyStudy, EveryEstimatorHasItsPartAndTheBytesAreTheSameOnAnyNumberOfThreads) {
   const FamilyStudy study = run_family_study(cruise_design(), in_short(2));
   EXPECT_THAT(study.estimators,
-              testing::IsSupersetOf({"tuner", "gauss_markov", "time_varying", "onboard", "ekf", "iekf", "clipped_ekf",
-                                     "ukf", "particle", "ekpf", "cekpf", "constrained"}));
+              testing::IsSupersetOf({"tuner", "gauss_markov", "time_varying", "map", "wls", "rls", "onboard", "ekf",
+                                     "iekf", "clipped_ekf", "ukf", "particle", "ekpf", "cekpf", "constrained"}));
   EXPECT_THAT(study.left_out, testing::ElementsAre("scheduled"));  // the design has no schedule
   ASSERT_EQ(study.cases.size(), 1u);
   for (const FamilyCaseResult& c : study.cases) {
