@@ -15,22 +15,32 @@ namespace ehm::tuner_design::report {
 namespace {
 
 constexpr double cell_height = 26.0, most_cell = 62.0, most_label = 150.0, number_room = 46.0;
-constexpr double bars_wide = 190.0, bars_gap = 14.0, bar_height = 13.0, axis_foot = 40.0, legend_foot = 62.0;
+constexpr double bars_wide = 190.0, bars_gap = 14.0, bar_height = 13.0, axis_foot = 40.0;
+constexpr double legend_foot = 62.0, narrow_legend_foot = 118.0;
 constexpr double corner = 9.0, least_wide = 500.0, least_numbered = 30.0;
 constexpr std::size_t name_lines = 2;
+constexpr double steep = -60.0;  ///< degrees of the columns' names on a narrow drawing
 
 struct Layout {
-  bool bars_beside;
+  bool wide, bars_beside;
   double left, top, cell, bottom;
 
   double row(std::size_t i) const { return top + static_cast<double>(i) * cell_height; }
 };
 
 Layout layout_of(const ScoreMatrix& matrix, double width) {
-  Layout layout{!matrix.bars.empty() && width >= least_wide, 40.0, 8.0 + name_lines * line_px, 0.0, 0.0};
+  const bool wide = width >= least_wide;
+  Layout layout{wide, !matrix.bars.empty() && wide, 40.0, 8.0 + name_lines * line_px, 0.0, 0.0};
   for (const std::string& name : matrix.rows)
     layout.left = std::max(layout.left, std::min(most_label, letters(name) * letter_px + 14.0));
-  const double room = width - layout.left - 2.0 - (layout.bars_beside ? bars_wide + bars_gap : 0.0);
+  double room = width - layout.left - 2.0 - (layout.bars_beside ? bars_wide + bars_gap : 0.0);
+  if (!wide) {
+    int longest = 1;
+    for (const std::string& name : matrix.columns) longest = std::max(longest, letters(name));
+    layout.top = 14.0 + longest * tick_letter_px * std::sin(-steep * M_PI / 180.0);
+    // the last name leans out to the right
+    room -= std::max(0.0, longest * tick_letter_px * std::cos(steep * M_PI / 180.0) - 10.0);
+  }
   layout.cell = std::min(most_cell, room / std::max<double>(1.0, static_cast<double>(matrix.columns.size())));
   layout.bottom = layout.row(matrix.rows.size());
   return layout;
@@ -65,15 +75,17 @@ void draw_cell(Svg& svg, const ScoreMatrix& matrix, const Layout& layout, std::s
   svg.close();
 }
 
-void draw_names(Svg& svg, const ScoreMatrix& matrix, const Layout& layout) {
-  for (std::size_t j = 0; j < matrix.columns.size(); ++j) {
-    const auto lines = broken(matrix.columns[j], static_cast<int>(layout.cell / tick_letter_px), name_lines);
-    double y = layout.top - 7.0 - static_cast<double>(lines.size() - 1) * line_px;
-    for (const std::string& line : lines) {
-      svg.text(layout.left + (static_cast<double>(j) + 0.5) * layout.cell, y, line, "tick", Anchor::middle);
-      y += line_px;
-    }
+void draw_column_name(Svg& svg, const std::string& name, const Layout& layout, double middle) {
+  if (!layout.wide) return svg.turned_text(middle + 4.0, layout.top - 6.0, steep, name, "tick", Anchor::start);
+  const auto lines = broken(name, static_cast<int>(layout.cell / tick_letter_px), name_lines);
+  double y = layout.top - 7.0 - static_cast<double>(lines.size() - 1) * line_px;
+  for (const std::string& line : lines) {
+    svg.text(middle, y, line, "tick", Anchor::middle);
+    y += line_px;
   }
+}
+
+void draw_row_names(Svg& svg, const ScoreMatrix& matrix, const Layout& layout) {
   for (std::size_t i = 0; i < matrix.rows.size(); ++i)
     svg.text(layout.left - 6.0, layout.row(i) + cell_height / 2.0 + 4.0,
              shortened(matrix.rows[i], static_cast<int>((layout.left - 8.0) / letter_px)), "label", Anchor::end);
@@ -100,20 +112,31 @@ void draw_bars(Svg& svg, const ScoreMatrix& matrix, double left, double width, d
   svg.text(left + room / 2.0, bottom + 32.0, matrix.bar_title, "axis", Anchor::middle);
 }
 
-void draw_legend(Svg& svg, const ScoreMatrix& matrix, double top) {
+/// Down from `y`; where the text ended.
+double draw_words(Svg& svg, const std::string& text, double x, double y, double width) {
+  for (const std::string& line : broken(text, static_cast<int>((width - x) / letter_px), name_lines)) {
+    svg.text(x, y, line, "axis");
+    y += line_px;
+  }
+  return y;
+}
+
+/// On a wide drawing the words stand beside the scale, on a narrow one below.
+void draw_legend(Svg& svg, const ScoreMatrix& matrix, const Layout& layout, double top, double width) {
   constexpr int middle = 5, steps = 2 * middle + 1;
-  constexpr double step_px = 14.0, height = 12.0, left = 26.0, words = left + steps * step_px + 30.0;
+  constexpr double step_px = 14.0, height = 12.0, left = 26.0, end = left + steps * step_px;
   for (int i = 0; i < steps; ++i)
     colour(svg, left + i * step_px, top, step_px, height, (i - middle) / static_cast<double>(middle));
-  const double below = top + height + 13.0, end = left + steps * step_px;
+  const double below = top + height + 13.0;
   svg.text(left, below, number(1.0 / matrix.full_scale, 1), "tick", Anchor::middle);
   svg.text((left + end) / 2.0, below, "1", "tick", Anchor::middle);
   svg.text(end, below, fmt::format("{:g}", matrix.full_scale), "tick", Anchor::middle);
-  svg.text(words, top + 10.0, matrix.scale_title, "axis");
+  const double x = layout.wide ? end + 30.0 : 4.0;
+  const double next = draw_words(svg, matrix.scale_title, x, layout.wide ? top + 10.0 : below + 20.0, width);
   if (matrix.mark_title.empty()) return;
-  svg.rect(words, top + 20.0, 20.0, 14.0, "cell positive", "fill-opacity=\"0\"");
-  cut_corner(svg, words + 20.0, top + 20.0);
-  svg.text(words + 28.0, top + 32.0, matrix.mark_title, "axis");
+  svg.rect(x, next - 4.0, 20.0, 14.0, "cell positive", "fill-opacity=\"0\"");
+  cut_corner(svg, x + 20.0, next - 4.0);
+  draw_words(svg, matrix.mark_title, x + 28.0, next + 7.0, width);
 }
 
 }  // namespace
@@ -124,25 +147,25 @@ std::vector<LegendEntry> legend_of(const ScoreMatrix&) {
 
 std::string draw(const ScoreMatrix& matrix, double width, const std::string& id) {
   const Layout layout = layout_of(matrix, width);
-  const bool bars = !matrix.bars.empty();
+  const bool bars_below = !matrix.bars.empty() && !layout.bars_beside;
   const double bars_height = static_cast<double>(matrix.rows.size()) * cell_height + axis_foot;
   const double foot = layout.bottom + (layout.bars_beside ? axis_foot : 0.0) + 14.0;
-  const double height = foot + legend_foot + (bars && !layout.bars_beside ? bars_height : 0.0);
-  Svg svg(id, width, height, matrix.title, matrix.description);
-  draw_names(svg, matrix, layout);
+  const double under = foot + (layout.wide ? legend_foot : narrow_legend_foot);
+  Svg svg(id, width, under + (bars_below ? bars_height : 0.0), matrix.title, matrix.description);
+  for (std::size_t j = 0; j < matrix.columns.size(); ++j)
+    draw_column_name(svg, matrix.columns[j], layout, layout.left + (static_cast<double>(j) + 0.5) * layout.cell);
+  draw_row_names(svg, matrix, layout);
   for (std::size_t i = 0; i < matrix.rows.size(); ++i)
     for (std::size_t j = 0; j < matrix.columns.size(); ++j) draw_cell(svg, matrix, layout, i, j);
+  draw_legend(svg, matrix, layout, foot, width);
   if (layout.bars_beside) {
     const double left = layout.left + layout.cell * static_cast<double>(matrix.columns.size()) + bars_gap;
     draw_bars(svg, matrix, left, width - left - 2.0, layout.top);
   }
-  draw_legend(svg, matrix, foot);
-  if (bars && !layout.bars_beside) {
+  if (bars_below) {
     Layout below = layout;
-    below.top = foot + legend_foot;
-    for (std::size_t i = 0; i < matrix.rows.size(); ++i)
-      svg.text(layout.left - 6.0, below.row(i) + cell_height / 2.0 + 4.0,
-               shortened(matrix.rows[i], static_cast<int>((layout.left - 8.0) / letter_px)), "label", Anchor::end);
+    below.top = under;
+    draw_row_names(svg, matrix, below);
     draw_bars(svg, matrix, layout.left, width - layout.left - 2.0, below.top);
   }
   return svg.markup();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Endurthi's tables IV and V and figures 5.3 to 5.5: health by two filters on 27 linear models.
 
+#include <fmt/format.h>
+
 #include "deploy/runtime/numbers/index.h"
 #include "tuner_design/endurthi/best_models.h"
 #include "tuner_design/endurthi/health_study.h"
@@ -99,13 +101,15 @@ void add_models(Section& section, const HealthPoint& point, bool first) {
     }
     chart.series.push_back(plain), chart.series.push_back(constrained);
   }
-  section.add_figure(id,
-                     first ? "The thesis' figures 5.3a and 5.3b: 27 models, " + point.name + "."
-                           : "The thesis' figures 5.5a and 5.5b: 27 models, " + point.name + ".",
-                     "On our smooth maps all models give one error, so the points lie on a line; in the thesis those "
-                     "made by Matlab's method for health stand out. Its percent are of a change that it does not give" +
-                         std::string(first ? "." : ", and of this point it has the drawing alone."),
-                     responsive(chart), data_of(chart));
+  section.add_figure(
+      id,
+      first ? "The thesis' figures 5.3a and 5.3b: 27 models, " + point.name + "."
+            : "The thesis' figures 5.5a and 5.5b: 27 models, " + point.name + ".",
+      first ? "On smooth maps all models give one error, so that the points lie on a line; in the thesis they "
+              "scatter by a tenth. Its percent are of a change that it does not give."
+            : "On smooth maps all models give one error, so that the points lie on a line. The thesis has of "
+              "this point a drawing without numbers, whose last nine models rise steeply.",
+      responsive(chart), data_of(chart));
 }
 
 /// Figures 5.4a and b: one engine's life, both filters in one drawing a parameter.
@@ -152,9 +156,9 @@ void add_life(Section& section, const HealthStudy& study, const HealthPoint& poi
 std::string set_up(const HealthStudy& study) {
   const HealthStudyOptions& o = study.options;
   return "On " + o.engine->data.name + ": " + counted(o.runs, "run") + " of " + std::to_string(o.flights) +
-         " flights of 3 s at 10 Hz, a flight " + number(o.cycles_per_flight) + " cycles of wear; P0 (" +
-         number(o.filter.p0_percent) + " %)², Qh " + number(o.filter.qh_percent2) +
-         " percent² a sample; linearised with " + number(o.linearised_with_percent) +
+         " flights of 3 s at 10 Hz, a flight " + fmt::format("{:g}", o.cycles_per_flight) + " cycles of wear; P0 (" +
+         fmt::format("{:g}", o.filter.p0_percent) + " %)², Qh " + number(o.filter.qh_percent2) +
+         " percent² a sample; linearised with " + fmt::format("{:g}", o.linearised_with_percent) +
          " %. Nine health parameters without LPT flow, which the eleven sensors cannot see. The thesis has MAPSS, a "
          "mixed-flow military engine, without its number 4, and gives neither wear nor P0 nor Q: its numbers are "
          "context, "

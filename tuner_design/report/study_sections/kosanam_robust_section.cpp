@@ -140,7 +140,7 @@ Section robust_tables_section(const RobustTables& t) {
                      "Down: the element for sensor " + t.sensors[as_size(s.first)] + ", across: that for " +
                          t.sensors[as_size(s.second)] + ", both in the row of " + t.health[as_size(s.parameter)] +
                          ", as multiples of their standard values. Orange is worse than the standard gain, "
-                         "blue better; a cell without a number is an unstable filter.",
+                         "blue better; where there is no number the filter is unstable.",
                      responsive(surface_chart(t)), surface_numbers(t));
   section.add_figure(
       "kosanam-5-6", "The thesis' figure 5.6: error over the change of noise.",

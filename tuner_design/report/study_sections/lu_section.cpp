@@ -12,7 +12,7 @@
 namespace ehm::tuner_design::report {
 namespace {
 
-constexpr int cost_table = 7;
+constexpr int gradual_table = 6, cost_table = 7;
 
 std::string name_of(const LuCase& c) {
   return c.what + ", " + filter_name(c);
@@ -92,11 +92,12 @@ std::string set_up(const LuStudy& study) {
   return "On " + o.engine->data.name + " at sea level, static, " + quantity(study.fuel_flow_kg_s, "kg/s", 4) +
          " of fuel (theirs: 2.5), " + counted(o.runs, "run") +
          " of each case where the paper has one, N = " + std::to_string(o.particles) +
-         ". Errors of health in percent of nominal over samples 401 to 500; means and standard deviations are root "
-         "mean "
-         "squares over the runs, and SME is the sum of the seven mean errors. Their engine is another one: the "
-         "published "
-         "numbers are context, no target.";
+         ". Errors of health in percent of nominal over " +
+         (o.table == gradual_table ? "the last 2 s of each of 21 points of wear" : "samples 401 to 500") +
+         "; means and standard deviations are root mean squares over the runs, and SME is the sum of the seven mean "
+         "errors" +
+         (o.table == gradual_table ? ", of all points" : "") +
+         ". Their engine is another one: the published numbers are context, no target.";
 }
 
 }  // namespace

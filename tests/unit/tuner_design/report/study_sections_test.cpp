@@ -232,6 +232,23 @@ TEST(StudySections, GainsAndTheTablesOfSimonAndGarg) {
   EXPECT_EQ(table_in(tables, "simon-garg-figure").rows.size(), study.rows.size());
 }
 
+TEST(StudySections, ADrawingStandsAloneAsAPicture) {
+  const test::TemporaryFolder folder;
+  const std::string page = folder.file("page.html", to_html(study_page(family_section(made_up_family()), {"", "", 1})));
+  const auto picture = [&](const std::string& drawing) {
+    const std::string command = std::string("python3 ") + EHM_SOURCE_DIR + "/deploy/pictures/svg_of_page.py " + page +
+                                " " + drawing + " > " + folder.path("out.svg") + " 2> " + folder.path("err");
+    return std::system(command.c_str());
+  };
+  ASSERT_EQ(picture("family-matrix-wide"), 0) << folder.content("err");
+  const std::string svg = folder.content("out.svg");
+  EXPECT_THAT(svg, HasSubstr("<svg "));
+  EXPECT_THAT(svg, HasSubstr("its sigma is too small"));
+  EXPECT_THAT(svg, Not(HasSubstr("var(")));  // not every viewer knows them
+  EXPECT_NE(picture("absent"), 0);
+  EXPECT_THAT(folder.content("err"), HasSubstr("has no drawing absent"));
+}
+
 TEST(StudySections, APageSaysWhatMadeIt) {
   const Page page = study_page(family_section(made_up_family()), {"tuner_design study family --seed 7", "1.2", 7});
   const std::string html = to_html(page);
