@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Draws the documents' pictures anew: the data path, the HPC map with the reference points where they are at hand, the
-# estimates of the demo's flights against the truth by each estimator, and what the closed form is worth.
-# Usage: deploy/pictures/make.sh [NPSS_CASES.csv]     (graphviz and gnuplot-nox; the flights take 30 and 72 s each)
+# estimates of the demo's flights against the truth by each estimator, what the closed form is worth, and every estimator
+# in every case.
+# Usage: deploy/pictures/make.sh [NPSS_CASES.csv]     (graphviz and gnuplot-nox; the flights take 30 and 72 s each,
+#        every estimator in every case a quarter of an hour)
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 deploy/install-deps.sh
@@ -30,3 +32,8 @@ bench=${EHM_BUILD_DIR:-build}/tuner_design/tuner_design
 limit() { python3 -c 'import json,sys; print(json.load(open(sys.argv[1]))["bayes_limit_"+sys.argv[2]]["total"])' "$folder/design.txt" "$1"; }
 gnuplot -e "csv='$folder/baselines.csv'; limit_h=$(limit health); limit_z=$(limit auxiliary); out='deploy/pictures/closed_form.svg'" \
   deploy/pictures/closed_form.gp
+"$bench" linearise --method fleet --out "$folder/fleet_model.json" --quiet
+"$bench" design --model "$folder/fleet_model.json" --out "$folder/fleet_design.json" --quiet
+"$bench" study family --design "$folder/fleet_design.json" --fleet 6 --seed 11 --no-whole-flight --html "$folder/family.html" --quiet
+deploy/pictures/svg_of_page.py "$folder/family.html" family-matrix-wide >"$folder/family.svg"
+cp "$folder/family.svg" deploy/pictures/family.svg

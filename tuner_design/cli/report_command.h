@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// tuner_design report DESIGN.json -o report.html [--csv-dir DIR]: a design explained on one self-contained page.
+// tuner_design report DESIGN.json -o report.html [--csv-dir DIR] [--studies NAME,NAME|all]: a design explained on one
+// self-contained page.
 
 #include "tuner_design/cli/command.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/endurthi/linearisation_study.h"
 
+#include <cmath>
+
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "tuner_design/linearise/step_study.h"
 
@@ -9,6 +11,7 @@ namespace {
 
 constexpr double seconds = 6.0;
 constexpr double closed_loop_step_s = 0.001, open_loop_step_s = 0.01;  ///< fine: their own error must not count
+constexpr double traced_each_s = 0.05;
 constexpr std::size_t percents = studied_percents.size();
 
 ColumnSteps steps_of(double percent) {
@@ -58,10 +61,28 @@ class PointWork {
     for (std::size_t test = 0; test < percents; ++test)
       result_.errors[linearised][test] = errors_of(plant, models, tangent, records_[test], studied_percents[test]);
     result_.groups[linearised] = coinciding(plant, models, closeness);
-    if (linearised == 0) result_.with_corner = errors_with_corner(plant);
+    if (linearised > 0) return;
+    result_.with_corner = errors_with_corner(plant);
+    trace(models[traced_model], tangent);
   }
 
  private:
+  void trace(const Eigen::MatrixXd& model, const Eigen::MatrixXd& tangent) {
+    const Record& record = records_.back();
+    const auto each = static_cast<Eigen::Index>(std::lround(traced_each_s / record.step_s));
+    const auto in_percent = [&](const Eigen::MatrixXd& y) -> Eigen::MatrixXd {
+      const auto traced = Eigen::seq(0, y.cols() - 1, each);
+      return 100.0 * point_.sensor_trim().cwiseAbs().cwiseInverse().asDiagonal() * y(Eigen::all, traced);
+    };
+    result_.trace = {.sensors = {},
+                     .step_s = traced_each_s,
+                     .nonlinear = in_percent(record.y),
+                     .model = in_percent(record.y + missed_by(point_.plant, model, record)),
+                     .tangent = in_percent(record.y + missed_by(point_.plant, tangent, record))};
+    for (const auto& sensor : point_.engine->layout.channels().sensors)
+      result_.trace.sensors.emplace_back(sensor.quantity->name);
+  }
+
   const StudyPoint& point_;
   LinearisationPoint& result_;
   std::array<Record, percents> records_;

@@ -13,6 +13,8 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "tuner_design/endurthi/linear_models.h"
 #include "tuner_design/endurthi/model_error.h"
@@ -30,12 +32,22 @@ struct LinearisationStudyOptions {
 using ModelErrors = std::array<ModelError, model_count + 1>;  ///< the last is the tangent's
 inline constexpr std::size_t tangent_model = model_count;
 
+/// Figure 5.2: the sensors after a perturbation of 0.5 %, by the nonlinear engine, by LIN002, whose steps were 0.01 %,
+/// and by the tangent; percent of trim, m x samples.
+struct LinearisationTrace {
+  std::vector<std::string> sensors;
+  double step_s = 0.0;
+  Eigen::MatrixXd nonlinear, model, tangent;
+};
+inline constexpr std::size_t traced_model = 2;
+
 struct LinearisationPoint {
   std::string name;
   double n1_rpm = 0.0;
   /// By perturbation of linearisation, by perturbation under test.
   std::array<std::array<ModelErrors, studied_percents.size()>, studied_percents.size()> errors;
   ModelErrors with_corner;  ///< both perturbations 0.01 %
+  LinearisationTrace trace;
   /// Models that are one (linear_models.h), by perturbation of linearisation.
   std::array<std::vector<std::vector<std::size_t>>, studied_percents.size()> groups;
 };

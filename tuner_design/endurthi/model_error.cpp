@@ -22,10 +22,15 @@ Eigen::MatrixXd linear_states(const linear_model::LinearModel& discrete, const R
 
 }  // namespace
 
-ModelError error_of(const Plant& plant, const Eigen::MatrixXd& jacobian, const Record& record, double percent) {
+Eigen::MatrixXd missed_by(const Plant& plant, const Eigen::MatrixXd& jacobian, const Record& record) {
   const linear_model::LinearModel model = discretise(linear_model_of(plant, jacobian, record.step_s));
   Eigen::MatrixXd missed = model.C * linear_states(model, record) + model.D * record.u - record.y;
   missed.colwise() += model.M * record.h;
+  return missed;
+}
+
+ModelError error_of(const Plant& plant, const Eigen::MatrixXd& jacobian, const Record& record, double percent) {
+  const Eigen::MatrixXd missed = missed_by(plant, jacobian, record);
   const Eigen::VectorXd percent_of_trim = 100.0 * plant.f0.tail(missed.rows()).cwiseAbs().cwiseInverse();
   const Eigen::RowVectorXd e = (percent_of_trim.asDiagonal() * missed).colwise().norm() /
                                std::sqrt(static_cast<double>(missed.rows())) / std::abs(percent);

@@ -15,6 +15,9 @@ struct ModelError {
   double average = 0.0, final = 0.0;
 };
 
+/// The linear engine's sensors on the record's controls less the record's, m x samples, channel units.
+Eigen::MatrixXd missed_by(const Plant& plant, const Eigen::MatrixXd& jacobian, const Record& record);
+
 ModelError error_of(const Plant& plant, const Eigen::MatrixXd& jacobian, const Record& record, double percent);
 
 /// A plant whose maps have a corner close to trim, as tables have that are interpolated linearly: health beyond

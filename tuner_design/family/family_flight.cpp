@@ -2,6 +2,7 @@
 #include "tuner_design/family/family_flight.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -63,6 +64,14 @@ sim::Scenario scenario_of(const FamilyFleet& fleet, std::uint64_t seed, std::siz
   return at_the_point(fleet, random, index);
 }
 
+/// 0 of nothing.
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 class Flight {
  public:
   Flight(const FamilyFleet& fleet, std::uint64_t seed, std::size_t index)
@@ -76,21 +85,28 @@ class Flight {
       estimators_.push_back(flier ? flier->clone() : nullptr);
       outcomes_.emplace_back().errors = Eigen::ArrayXd::Zero(p);
     }
+    steps_s_.resize(outcomes_.size());
     for (std::size_t i = 0; i < fleet.engine.channels.sensors.size(); ++i) fused_.set(i);
     if (fleet.what == FamilyCase::missing) fused_.reset(missing_sensor);
   }
 
   std::vector<FamilyOutcome> run() {
-    if (fleet_.what == FamilyCase::batches) return run_batches();
-    const double seconds = fleet_.what == FamilyCase::flight ? sim::mission_seconds : case_s;
-    const auto samples = static_cast<std::int64_t>(seconds / fleet_.step_s);
-    for (std::int64_t k = 0; k < samples; ++k) take(static_cast<double>(k) * fleet_.step_s);
+    if (fleet_.what == FamilyCase::batches)
+      fly_batches();
+    else
+      fly(fleet_.what == FamilyCase::flight ? sim::mission_seconds : case_s);
+    for (std::size_t e = 0; e < outcomes_.size(); ++e) outcomes_[e].step_s = median(steps_s_[e]);
     return outcomes_;
   }
 
  private:
+  void fly(double seconds) {
+    const auto samples = static_cast<std::int64_t>(seconds / fleet_.step_s);
+    for (std::int64_t k = 0; k < samples; ++k) take(static_cast<double>(k) * fleet_.step_s);
+  }
+
   /// Each flight is a new start of the engine, whose metal is in balance.
-  std::vector<FamilyOutcome> run_batches() {
+  void fly_batches() {
     std::vector<linear_model::Channel> channels;
     for (const auto& h : fleet_.engine.channels.health)
       channels.push_back({std::string(sim::health_names[h.parameter]), "percent", 0.0});
@@ -113,7 +129,6 @@ class Flight {
       for (const auto& estimator : estimators_)
         if (estimator) estimator->next_flight(told_wear_percent);
     }
-    return outcomes_;
   }
 
   void take(double t) {
@@ -136,10 +151,12 @@ class Flight {
     for (std::size_t e = 0; e < estimators_.size(); ++e) {
       if (!estimators_[e]) continue;
       estimation::Estimator& estimator = *estimators_[e];
+      const auto began = std::chrono::steady_clock::now();
       estimator.use(fused_);
       estimator.predict(before_, steps);
       estimator.innovate(y, now_);
       estimator.update(fused_, 1);
+      steps_s_[e].push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
       note_answer(estimator, t, outcomes_[e]);
       if (judge) score(estimator, sample, outcomes_[e]);
     }
@@ -188,6 +205,7 @@ class Flight {
   std::size_t stepped_;
   std::vector<std::unique_ptr<estimation::Estimator>> estimators_;
   std::vector<FamilyOutcome> outcomes_;
+  std::vector<std::vector<double>> steps_s_;  ///< what each sample took, of the clock
   std::vector<double> at_step_;
   estimation::SensorMask fused_;
   estimation::Conditions before_, now_;

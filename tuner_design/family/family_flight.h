@@ -18,6 +18,7 @@ struct FamilyOutcome {
   double judged = 0, covered = 0;                         ///< health estimates
   Eigen::ArrayXd errors;                                  ///< of each parameter, summed; percent
   std::optional<double> answer_s;
+  double step_s = 0.0;  ///< what the estimator took of a sample, median: of the clock, no part of the result
 };
 
 /// What a case flies, and who.

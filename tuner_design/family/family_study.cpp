@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "deploy/runtime/long_work/parallel_for.h"
@@ -71,6 +72,7 @@ std::optional<FamilyScore> score_of(const std::vector<std::vector<FamilyOutcome>
   FamilyOutcome sum;
   sum.errors = Eigen::ArrayXd::Zero(fleet.front()[estimator].errors.size());
   std::vector<double> answers;
+  double least_step_s = std::numeric_limits<double>::infinity();
   for (const auto& engine : fleet) {
     const FamilyOutcome& o = engine[estimator];
     sum.samples += o.samples;
@@ -81,6 +83,7 @@ std::optional<FamilyScore> score_of(const std::vector<std::vector<FamilyOutcome>
     sum.covered += o.covered;
     sum.errors += o.errors;
     if (o.answer_s) answers.push_back(*o.answer_s);
+    least_step_s = std::min(least_step_s, o.step_s);
   }
   if (sum.held == 0.0) return std::nullopt;
   FamilyScore score{.held = sum.held / sum.samples,
@@ -88,7 +91,8 @@ std::optional<FamilyScore> score_of(const std::vector<std::vector<FamilyOutcome>
                     .claims = sum.claims / sum.held,
                     .coverage = sum.covered / sum.judged,
                     .bias = std::sqrt((sum.errors / sum.held).square().mean()),
-                    .answer_s = {}};
+                    .answer_s = {},
+                    .step_us = 1e6 * least_step_s};
   if (2 * answers.size() > fleet.size()) {  // the others count as never
     std::sort(answers.begin(), answers.end());
     score.answer_s = answers[std::min(answers.size() - 1, fleet.size() / 2)];

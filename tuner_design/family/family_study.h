@@ -19,6 +19,7 @@
 //   coverage  share of health estimates whose truth lies within 1.96 sigma
 //   bias      root mean square over the parameters of the mean error over the fleet, percent
 //   answer    median time after the step until half of it is seen, in the parameter that stepped; s
+//   step      what a sample costs, us, of one core that others may use too; it stands in the page (--html) alone
 // Errors: @throws std::invalid_argument if design and engine do not belong together; an estimator that the design has
 // not what it needs for is left out and named; a flight that ends is counted.
 
@@ -53,6 +54,7 @@ struct FamilyScore {
   double held = 0.0;  ///< share of the samples judged
   double ssee = 0.0, claims = 0.0, coverage = 0.0, bias = 0.0;
   std::optional<double> answer_s;
+  double step_us = 0.0;  ///< least of the engines' medians: of the clock, no part of what is printed
 };
 
 struct FamilyCaseResult {

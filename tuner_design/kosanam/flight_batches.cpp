@@ -58,6 +58,7 @@ class WearingEngine {
 /// Sums of one filter over the flights of one engine.
 struct Sums {
   Eigen::VectorXd error, square, covered;
+  Eigen::MatrixXd estimates;  ///< p x flights
 
   void add(const Eigen::VectorXd& miss, const Eigen::VectorXd& sigma) {
     error += miss;
@@ -69,7 +70,7 @@ struct Sums {
 std::vector<Sums> fly_one(const BatchProblem& problem, const std::vector<FilterCase>& cases,
                           const BatchOptions& options, const WearLaw& law, std::size_t run) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(problem.health);
-  std::vector<Sums> sums(cases.size(), {zero, zero, zero});
+  std::vector<Sums> sums(cases.size(), {zero, zero, zero, Eigen::MatrixXd(problem.health, options.flights)});
   std::vector<BatchFilter> filters;
   for (const FilterCase& one : cases) filters.emplace_back(problem, one, law.direction);
   const bool varies = std::any_of(cases.begin(), cases.end(), [](const FilterCase& c) { return !c.steady; });
@@ -84,7 +85,10 @@ std::vector<Sums> fly_one(const BatchProblem& problem, const std::vector<FilterC
       for (std::size_t i = 0; i < cases.size(); ++i)
         filters[i].take(y, cases[i].steady ? *cases[i].steady : varying.now());
     }
-    for (std::size_t i = 0; i < cases.size(); ++i) sums[i].add(filters[i].health() - truth, filters[i].sigma());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      sums[i].add(filters[i].health() - truth, filters[i].sigma());
+      sums[i].estimates.col(flight) = filters[i].health();
+    }
   }
   return sums;
 }
@@ -93,6 +97,10 @@ std::vector<Sums> fly_one(const BatchProblem& problem, const std::vector<FilterC
 
 double BatchResult::of_change(std::size_t filter) const {
   return 100.0 * filters[filter].rms.cwiseQuotient(change).mean();
+}
+
+double BatchResult::of_change(std::size_t filter, Eigen::Index parameter) const {
+  return 100.0 * filters[filter].rms(parameter) / change(parameter);
 }
 
 BatchResult fly_batches(const BatchProblem& problem, const std::vector<FilterCase>& cases, const BatchOptions& options,
@@ -104,6 +112,8 @@ BatchResult fly_batches(const BatchProblem& problem, const std::vector<FilterCas
       progress);
   BatchResult result;
   result.change = law.at(options.flights - 1).cwiseAbs();
+  result.truth.resize(problem.health, options.flights);
+  for (int flight = 0; flight < options.flights; ++flight) result.truth.col(flight) = law.at(flight);
   const double count = static_cast<double>(options.runs) * options.flights;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     Sums total = runs.front()[i];
@@ -113,7 +123,7 @@ BatchResult fly_batches(const BatchProblem& problem, const std::vector<FilterCas
       total.covered += runs[run][i].covered;
     }
     result.filters.push_back({cases[i].name, (total.square / count).cwiseSqrt(),
-                              total.error.cwiseProduct(law.direction) / count, total.covered / count});
+                              total.error.cwiseProduct(law.direction) / count, total.covered / count, total.estimates});
   }
   return result;
 }

@@ -27,14 +27,18 @@ struct BatchErrors {
   std::string name;
   Eigen::VectorXd rms, bias;  ///< percent; bias: estimate less truth, in the direction of wear
   Eigen::VectorXd coverage;   ///< share of the truth within 1.96 of the sigma that was stated
+  Eigen::MatrixXd first_run;  ///< p x flights, percent: the estimates of one engine
 };
 
 struct BatchResult {
   std::vector<BatchErrors> filters;
   Eigen::VectorXd change;  ///< of health from new to the last flight, percent, its size
+  Eigen::MatrixXd truth;   ///< p x flights, percent, of every engine
 
   /// Mean over the parameters of rms over change, percent: the theses' "percent" (*reading*).
   double of_change(std::size_t filter) const;
+  /// Of one parameter.
+  double of_change(std::size_t filter, Eigen::Index parameter) const;
   double mean_rms(std::size_t filter) const { return filters[filter].rms.mean(); }
 };
 

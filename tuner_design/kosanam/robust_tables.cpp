@@ -2,9 +2,11 @@
 #include "tuner_design/kosanam/robust_tables.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
-#include "tuner_design/robust/robust_gain.h"
+#include "deploy/runtime/numbers/index.h"
+#include "monitor/estimation/linear/solver_error.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -31,6 +33,39 @@ double best_factor(const BatchProblem& nominal, const RobustTablesOptions& optio
     best = factor;
   }
   return best;
+}
+
+constexpr double farthest_mu = 300.0;
+constexpr int trade_points = 60, surface_points = 11;
+constexpr double least_share = -1.0, most_share = 3.0;
+
+/// Of the health parameter whose row of the gain is the largest, by the two sensors that it uses most.
+ObjectiveSurface surface_of(const RobustProblem& problem, const RobustWeights& weights, const Eigen::MatrixXd& K,
+                            Eigen::Index states) {
+  ObjectiveSurface surface;
+  K.bottomRows(K.rows() - states).rowwise().norm().maxCoeff(&surface.parameter);
+  const Eigen::Index row = states + surface.parameter;
+  Eigen::RowVectorXd sizes = K.row(row).cwiseAbs();
+  sizes.maxCoeff(&surface.first);
+  sizes(surface.first) = -1.0;
+  sizes.maxCoeff(&surface.second);
+  for (int i = 0; i < surface_points; ++i)
+    surface.share.push_back(least_share + (most_share - least_share) * i / (surface_points - 1));
+  const double standard = robust_objective(problem, weights, K);
+  surface.objective.resize(surface_points, surface_points);
+  for (int i = 0; i < surface_points; ++i) {
+    for (int j = 0; j < surface_points; ++j) {
+      Eigen::MatrixXd tried = K;
+      tried(row, surface.first) *= surface.share[as_size(i)];
+      tried(row, surface.second) *= surface.share[as_size(j)];
+      try {
+        surface.objective(i, j) = robust_objective(problem, weights, tried) / standard;
+      } catch (const estimation::SolverError&) {
+        surface.objective(i, j) = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+  }
+  return surface;
 }
 
 }  // namespace
@@ -62,6 +97,9 @@ RobustTables robust_tables(const linear_model::LinearModel& model, const RobustT
   tables.mu = gain.mu(0);
   tables.robust_objective = gain.objective;
   tables.standard_objective = robust_objective(robust, weights, standard.K);
+  tables.trade = robust_trade(robust, 1.0, std::max(farthest_mu, 2.0 * tables.mu), trade_points);
+  tables.surface = surface_of(robust, weights, standard.K, problem.states);
+  for (const linear_model::Channel& sensor : model.sensors) tables.sensors.push_back(sensor.name);
   // the covariance stays the standard one's: nothing here asks for it
   const std::vector<FilterCase> cases{
       {"standard", standard},

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "tuner_design/kosanam/constrained_tables.h"
+#include "tuner_design/robust/robust_gain.h"
 
 namespace ehm::tuner_design {
 
@@ -33,6 +34,13 @@ namespace robust_case {
 enum Case : std::size_t { standard, mixed, robust };
 }
 
+/// J over two elements of the gain, the others as in the standard one.
+struct ObjectiveSurface {
+  Eigen::Index parameter = 0, first = 0, second = 0;  ///< of health, whose row it is; two sensors
+  std::vector<double> share;                          ///< of the standard element, along both sides
+  Eigen::MatrixXd objective;  ///< over that of the standard gain; first x second; not a number: not stable
+};
+
 struct RobustTables {
   RobustTablesOptions options;
   std::string model;
@@ -41,6 +49,9 @@ struct RobustTables {
   double mu = 1.0;                                          ///< the robust gain is that for R x mu
   double standard_objective = 0.0, robust_objective = 0.0;  ///< J
   std::vector<BatchResult> by_noise;                        ///< as noise_factors
+  std::vector<RobustTrade> trade;                           ///< figure 5.4: from the standard gain on
+  ObjectiveSurface surface;                                 ///< figure 5.5
+  std::vector<std::string> sensors;
 
   const BatchResult& at(double noise_factor) const;
 };

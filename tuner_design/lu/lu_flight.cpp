@@ -21,8 +21,7 @@ namespace sim = engine_sim;
 using namespace nonlinear;
 using estimation::SensorVector;
 
-constexpr int samples_of_fault = 500, judged_samples = 100, fault_at = 50;
-constexpr int gradual_points = 21;
+constexpr int judged_samples = 100, fault_at = 50;
 constexpr int most_lost = 25;
 constexpr double most_error_percent = 15.0, box_margin = 1.1;
 constexpr double speed_noise_percent = 0.05;
@@ -127,27 +126,22 @@ class Flight {
   }
 
   LuScore run() {
-    const int points = flight_.fault == 0 ? gradual_points : 1;
+    const int points = flight_.fault == 0 ? lu_gradual_points : 1;
     for (int point = 0; point < points && !score_.diverged; ++point) fly_point(point);
     score_.filter_s_per_s = filter_s_ / (static_cast<double>(samples_) * lu_filter_step_s);
     return score_;
   }
 
  private:
-  LuHealth health_at(int point, int sample) const {
-    if (flight_.fault != 0) return sample < fault_at ? LuHealth::Zero().eval() : lu_fault(flight_.fault);
-    return lu_most_wear() * point / (gradual_points - 1);
-  }
-
   void fly_point(int point) {
     Window window;
-    for (int k = 0; k < samples_of_fault && !score_.diverged; ++k, ++samples_) {
-      const LuHealth health = health_at(point, k);
+    for (int k = 0; k < lu_samples_a_point && !score_.diverged; ++k, ++samples_) {
+      const LuHealth health = lu_truth(flight_.fault, point * lu_samples_a_point + k);
       take(truth_.next(health));
       const LuHealth error = estimate_ - health;
       score_.estimates.push_back(estimate_);
       if (!(error.cwiseAbs().maxCoeff() < most_error_percent)) score_.diverged = k >= 2 * fault_at;
-      if (k >= samples_of_fault - judged_samples) window.take(error);
+      if (k >= lu_samples_a_point - judged_samples) window.take(error);
     }
     if (score_.diverged) return;
     score_.mean = window.mean();
@@ -180,6 +174,11 @@ class Flight {
 };
 
 }  // namespace
+
+LuHealth lu_truth(int fault, int sample) {
+  if (fault != 0) return sample < fault_at ? LuHealth::Zero().eval() : lu_fault(fault);
+  return lu_most_wear() * (sample / lu_samples_a_point) / (lu_gradual_points - 1);
+}
 
 LuScore fly_lu(const LuEngine& engine, const LuFlight& flight) {
   return Flight(engine, flight).run();

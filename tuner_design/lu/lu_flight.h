@@ -40,6 +40,11 @@ struct LuScore {
   std::vector<LuHealth> estimates;  ///< at every sample
 };
 
+inline constexpr int lu_samples_a_point = 500, lu_gradual_points = 21;
+
+/// Health without its noise at a sample of the whole flight, percent; `fault` as in LuFlight.
+LuHealth lu_truth(int fault, int sample);
+
 LuScore fly_lu(const LuEngine& engine, const LuFlight& flight);
 
 }  // namespace ehm::tuner_design

@@ -3,67 +3,29 @@
 
 #include <ostream>
 
-#include "deploy/runtime/files/atomic_file.h"
 #include "tuner_design/print/studies/endurthi_health_text.h"
 #include "tuner_design/print/studies/endurthi_linear_text.h"
 #include "tuner_design/print/studies/endurthi_ukf_text.h"
+#include "tuner_design/report/study_sections/study_sections.h"
 
 namespace ehm::tuner_design {
 namespace {
 
 using namespace endurthi;
 
-LinearisationStudy linear_study(const EndurthiArguments&, const StudyGiven& given, long_work::ProgressBar& bar) {
-  return run_linearisation_study({given.engine, given.threads}, [&](double share) { bar.show_share(share); });
-}
-
-HealthStudy health_study(const EndurthiArguments& arguments, const StudyGiven& given, long_work::ProgressBar& bar) {
+HealthStudyOptions options_of(const EndurthiArguments& arguments, const StudyGiven& given) {
   HealthStudyOptions options = arguments.health;
   options.engine = given.engine;
   options.seed = given.seed;
   options.threads = given.threads;
-  return run_health_study(options, [&](double share) { bar.show_share(share); });
+  return options;
 }
 
-/// Runs beside a progress bar, then writes the file, then prints table number `table`.
-template <class Study>
-void show(int table, Study (*run)(const EndurthiArguments&, const StudyGiven&, long_work::ProgressBar&),
-          std::string (*as_csv)(const Study&), nlohmann::ordered_json (*as_json)(const Study&),
-          void (*print)(const Study&, int, std::ostream&), const EndurthiArguments& arguments, const StudyGiven& given,
-          const std::string& csv, const OutputOptions& output, const Console& console) {
-  const Study study = [&] {
-    long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
-    return run(arguments, given, bar);
-  }();
-  if (!csv.empty()) files::write_file_atomically(csv, as_csv(study));
-  print_result(
-      console, output, [&] { return as_json(study); }, [&](std::ostream& out) { print(study, table, out); });
-}
-
-void ukf_study(const std::string& study, const EndurthiArguments& arguments, const StudyGiven& given,
-               const std::string& csv, const OutputOptions& output, const Console& console) {
-  if (!csv.empty()) throw CLI::ValidationError("--csv", "does not go with " + study + "; --json has every number");
-  if (study == "endurthi-ukf-pendulum") {
-    const auto pendulum = run_pendulum_study({.seed = given.seed});
-    return print_result(
-        console, output, [&] { return pendulum_study_as_json(pendulum); },
-        [&](std::ostream& out) { print_pendulum_study(pendulum, out); });
-  }
-  HealthStudyOptions options = arguments.health;
-  options.engine = given.engine;
-  options.seed = given.seed;
-  options.threads = given.threads;
-  const auto turbofan = run_ukf_turbofan(options);
-  print_result(
-      console, output, [&] { return ukf_turbofan_as_json(turbofan); },
-      [&](std::ostream& out) { print_ukf_turbofan(turbofan, out); });
+int table_of(const std::string& name) {
+  return name.back() - '0';
 }
 
 }  // namespace
-
-bool is_endurthi_study(const std::string& study) {
-  return study.starts_with("endurthi-");
-}
 
 void add_endurthi_options(CLI::App& command, EndurthiArguments& arguments) {
   HealthStudyOptions& o = arguments.health;
@@ -84,16 +46,31 @@ void add_endurthi_options(CLI::App& command, EndurthiArguments& arguments) {
       ->capture_default_str();
 }
 
-void endurthi_study(const std::string& study, const EndurthiArguments& arguments, const StudyGiven& given,
-                    const std::string& csv, const OutputOptions& output, const Console& console) {
-  if (study == "endurthi-ukf-pendulum" || study == "endurthi-ukf-turbofan")
-    return ukf_study(study, arguments, given, csv, output, console);
-  const int table = study.back() - '0';
-  if (table <= 3)
-    return show(table, linear_study, linearisation_study_csv, linearisation_study_as_json, print_linearisation_study,
-                arguments, given, csv, output, console);
-  show(table, health_study, health_study_csv, health_study_as_json, print_health_study, arguments, given, csv, output,
-       console);
+StudyOutcome endurthi_linear_study(const std::string& name, const StudyGiven& given, const StudyProgress& progress) {
+  const auto print = [table = table_of(name)](const LinearisationStudy& study, std::ostream& out) {
+    print_linearisation_study(study, table, out);
+  };
+  return outcome_of(run_linearisation_study({given.engine, given.threads}, progress),
+                    {print, linearisation_study_as_json, linearisation_study_csv, report::linearisation_section});
+}
+
+StudyOutcome endurthi_health_study(const std::string& name, const EndurthiArguments& arguments, const StudyGiven& given,
+                                   const StudyProgress& progress) {
+  const auto print = [table = table_of(name)](const HealthStudy& study, std::ostream& out) {
+    print_health_study(study, table, out);
+  };
+  return outcome_of(run_health_study(options_of(arguments, given), progress),
+                    {print, health_study_as_json, health_study_csv, report::health_section});
+}
+
+StudyOutcome endurthi_pendulum_study(const StudyGiven& given) {
+  return outcome_of(run_pendulum_study({.seed = given.seed}),
+                    {print_pendulum_study, pendulum_study_as_json, {}, report::pendulum_section});
+}
+
+StudyOutcome endurthi_turbofan_study(const EndurthiArguments& arguments, const StudyGiven& given) {
+  return outcome_of(run_ukf_turbofan(options_of(arguments, given)),
+                    {print_ukf_turbofan, ukf_turbofan_as_json, {}, report::turbofan_section});
 }
 
 }  // namespace ehm::tuner_design

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tuner_design/cli/command.h"
-#include "tuner_design/cli/studies/flight_study_command.h"
+#include "tuner_design/cli/studies/study_outcome.h"
 #include "tuner_design/endurthi/health_study.h"
 
 namespace ehm::tuner_design {
@@ -15,13 +15,15 @@ struct EndurthiArguments {
   endurthi::HealthStudyOptions health;
 };
 
-bool is_endurthi_study(const std::string& study);
-
 /// --p0, --wear-noise, --cycles-per-flight; engine, seed and threads are the study command's.
 void add_endurthi_options(CLI::App& command, EndurthiArguments& arguments);
 
-/// Runs and prints; `csv`: a file to write besides, or empty.
-void endurthi_study(const std::string& study, const EndurthiArguments& arguments, const StudyGiven& given,
-                    const std::string& csv, const OutputOptions& output, const Console& console);
+/// endurthi-1 to -3; all three tables have one result.
+StudyOutcome endurthi_linear_study(const std::string& name, const StudyGiven& given, const StudyProgress& progress);
+/// endurthi-4 and -5; both tables have one result.
+StudyOutcome endurthi_health_study(const std::string& name, const EndurthiArguments& arguments, const StudyGiven& given,
+                                   const StudyProgress& progress);
+StudyOutcome endurthi_pendulum_study(const StudyGiven& given);
+StudyOutcome endurthi_turbofan_study(const EndurthiArguments& arguments, const StudyGiven& given);
 
 }  // namespace ehm::tuner_design

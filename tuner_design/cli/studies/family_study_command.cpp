@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "monitor/design/design_file.h"
 #include "tuner_design/print/studies/family_text.h"
+#include "tuner_design/report/study_sections/study_sections.h"
 
 namespace ehm::tuner_design {
 
@@ -16,23 +16,20 @@ void add_family_study_options(CLI::App& command, FamilyOptions& options) {
       "family: without the two-hour flights");
 }
 
-void family_study(const std::string& design_file, const FamilyOptions& options, const std::string& csv,
-                  const OutputOptions& output, const Console& console) {
+StudyOutcome family_study(const std::string& design_file, FamilyOptions options, const StudyGiven& given,
+                          const StudyProgress& progress) {
   if (design_file.empty())
     throw CLI::ValidationError("--design", "is missing; study family needs the design that the estimators are made of");
-  if (!csv.empty()) require_other_file("--csv", csv, {design_file});
   const design::Design design = design::read_design(design_file);
-  FamilyStudy study;
+  options.engine = given.engine;
+  options.seed = given.seed;
+  options.threads = given.threads;
   try {
-    long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
-    study = run_family_study(design, options, [&](double share) { bar.show_share(share); });
+    return outcome_of(run_family_study(design, options, progress),
+                      {print_family_study, family_study_as_json, family_study_as_csv, report::family_section});
   } catch (const std::invalid_argument& error) {
     throw files::FileError(design_file + ": " + error.what());
   }
-  if (!csv.empty()) files::write_file_atomically(csv, family_study_as_csv(study));
-  print_result(
-      console, output, [&] { return family_study_as_json(study); },
-      [&](std::ostream& out) { print_family_study(study, out); });
 }
 
 }  // namespace ehm::tuner_design

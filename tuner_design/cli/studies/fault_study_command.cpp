@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "deploy/runtime/files/atomic_file.h"
 #include "deploy/runtime/files/file_error.h"
 #include "engine_sim/scenario/mission.h"
 #include "monitor/design/design_file.h"
@@ -14,40 +13,32 @@
 namespace ehm::tuner_design {
 namespace {
 
-/// `study` of the design, with a progress bar; a design that does not fit is a mistake in its file.
-template <class Study>
-auto studied(const FaultStudyArguments& arguments, const char* name, const std::string& csv,
-             const OutputOptions& output, const Console& console, const Study& study) {
-  if (arguments.design.empty()) {
+/// `run` of the design; one that does not fit is a mistake in its file.
+template <class Run>
+StudyOutcome of_design(const std::string& file, const char* name, const Run& run) {
+  if (file.empty())
     throw CLI::ValidationError("--design",
                                std::string("is missing; study ") + name + " needs the design that the monitor flies");
-  }
-  if (!csv.empty()) require_other_file("--csv", csv, {arguments.design});
-  const design::Design design = design::read_design(arguments.design);
-  long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
+  const design::Design design = design::read_design(file);
   try {
-    return study(design, [&](double share) { bar.show_share(share); });
+    return run(design);
   } catch (const std::invalid_argument& error) {
-    throw files::FileError(arguments.design + ": " + error.what());
+    throw files::FileError(file + ": " + error.what());
   }
 }
 
-void mission_fault_study_of_file(FaultStudyArguments arguments, const std::string& csv, const OutputOptions& output,
-                                 const Console& console) {
-  MissionFaultOptions& options = arguments.mission;
-  options.seed = arguments.options.seed;
-  options.threads = arguments.options.threads;
-  options.engine = arguments.options.engine;
+StudyOutcome mission_study(const FaultStudyArguments& arguments, const StudyGiven& given,
+                           const StudyProgress& progress) {
+  MissionFaultOptions options = arguments.mission;
+  options.seed = given.seed;
+  options.threads = given.threads;
+  options.engine = given.engine;
   options.fault_free =
       static_cast<std::size_t>(std::ceil(3600.0 * arguments.options.hours / engine_sim::mission_seconds));
-  const MissionFaultStudy study = studied(arguments, "faults --mission", csv, output, console,
-                                          [&](const design::Design& design, const auto& progress) {
-                                            return run_mission_fault_study(design, options, progress);
-                                          });
-  if (!csv.empty()) files::write_file_atomically(csv, mission_fault_study_as_csv(study));
-  print_result(
-      console, output, [&] { return mission_fault_study_as_json(study); },
-      [&](std::ostream& out) { print_mission_fault_study(study, out); });
+  return of_design(arguments.design, "faults --mission", [&](const design::Design& design) {
+    return outcome_of(run_mission_fault_study(design, options, progress),
+                      {print_mission_fault_study, mission_fault_study_as_json, mission_fault_study_as_csv});
+  });
 }
 
 }  // namespace
@@ -80,33 +71,25 @@ void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments) 
                    "false-alarms: the engine stays in balance; without it, it moves by the model's process noise");
 }
 
-void fault_study_of_file(const FaultStudyArguments& arguments, const std::string& csv, const OutputOptions& output,
-                         const Console& console) {
-  if (arguments.over_missions) {
-    return mission_fault_study_of_file(arguments, csv, output, console);
-  }
-  const FaultStudy study =
-      studied(arguments, "faults", csv, output, console, [&](const design::Design& design, const auto& progress) {
-        return run_fault_study(design, arguments.options, progress);
-      });
-  if (!csv.empty()) files::write_file_atomically(csv, fault_study_as_csv(study));
-  print_result(
-      console, output, [&] { return fault_study_as_json(study); },
-      [&](std::ostream& out) { print_fault_study(study, out); });
+StudyOutcome fault_study(const FaultStudyArguments& arguments, const StudyGiven& given, const StudyProgress& progress) {
+  if (arguments.over_missions) return mission_study(arguments, given, progress);
+  FaultStudyOptions options = arguments.options;
+  options.seed = given.seed;
+  options.threads = given.threads;
+  options.engine = given.engine;
+  return of_design(arguments.design, "faults", [&](const design::Design& design) {
+    return outcome_of(run_fault_study(design, options, progress),
+                      {print_fault_study, fault_study_as_json, fault_study_as_csv});
+  });
 }
 
-void false_alarm_study_of_file(const FaultStudyArguments& arguments, const std::string& csv,
-                               const OutputOptions& output, const Console& console) {
-  const FalseAlarmOptions options{arguments.options.hours, arguments.process_noise, arguments.options.seed,
-                                  arguments.options.threads};
-  const FalseAlarmStudy study =
-      studied(arguments, "false-alarms", csv, output, console, [&](const design::Design& design, const auto& progress) {
-        return run_false_alarm_study(design, options, progress);
-      });
-  if (!csv.empty()) files::write_file_atomically(csv, false_alarms_as_csv(study));
-  print_result(
-      console, output, [&] { return false_alarms_as_json(study); },
-      [&](std::ostream& out) { print_false_alarms(study, out); });
+StudyOutcome false_alarm_study(const FaultStudyArguments& arguments, const StudyGiven& given,
+                               const StudyProgress& progress) {
+  const FalseAlarmOptions options{arguments.options.hours, arguments.process_noise, given.seed, given.threads};
+  return of_design(arguments.design, "false-alarms", [&](const design::Design& design) {
+    return outcome_of(run_false_alarm_study(design, options, progress),
+                      {print_false_alarms, false_alarms_as_json, false_alarms_as_csv});
+  });
 }
 
 }  // namespace ehm::tuner_design

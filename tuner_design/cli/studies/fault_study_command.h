@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tuner_design/cli/command.h"
+#include "tuner_design/cli/studies/study_outcome.h"
 #include "tuner_design/faults/fault_study.h"
 #include "tuner_design/faults/mission_fault_study.h"
 
@@ -22,13 +23,11 @@ struct FaultStudyArguments {
 /// --design, --cases, --hours, --no-process-noise, --mission, --flights; seed and threads are the study command's.
 void add_fault_study_options(CLI::App& command, FaultStudyArguments& arguments);
 
-/// Flies, prints, and writes `csv` unless it is empty.
-/// @throws files::FileError if the design file is bad or not for the nonlinear engine.
-void fault_study_of_file(const FaultStudyArguments& arguments, const std::string& csv, const OutputOptions& output,
-                         const Console& console);
+/// @throws CLI::ValidationError without a design file, files::FileError if it is bad or not for the nonlinear engine
+StudyOutcome fault_study(const FaultStudyArguments& arguments, const StudyGiven& given, const StudyProgress& progress);
 
 /// The same for false alarms with nothing broken (false_alarm_study.h).
-void false_alarm_study_of_file(const FaultStudyArguments& arguments, const std::string& csv,
-                               const OutputOptions& output, const Console& console);
+StudyOutcome false_alarm_study(const FaultStudyArguments& arguments, const StudyGiven& given,
+                               const StudyProgress& progress);
 
 }  // namespace ehm::tuner_design

@@ -15,19 +15,12 @@
 namespace ehm::tuner_design {
 namespace {
 
-/// Runs a study beside a progress bar, and prints it in one of its two forms.
-template <class Run, class Print, class AsJson>
-void show(const OutputOptions& output, const Console& console, const Run& run, const Print& print,
-          const AsJson& as_json) {
-  long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
-  const auto study = run([&](double share) { bar.show_share(share); });
-  print_result(
-      console, output, [&] { return as_json(study); }, [&](std::ostream& out) { print(study, out); });
-}
-
+/// Of a study whose --fleet is so many engines.
 template <class Options>
-Options given_to(Options options, const StudyGiven& given) {
+Options given_to(Options options, const FlightStudyArguments& arguments, const StudyGiven& given) {
+  options.engines = arguments.fleet.value_or(options.engines);
   options.engine = given.engine;
+  options.seed = given.seed;
   options.threads = given.threads;
   return options;
 }
@@ -46,10 +39,6 @@ std::shared_ptr<const estimation::Estimator> scheduled_of(const std::string& fil
 }
 
 }  // namespace
-
-bool is_flight_study(const std::string& study) {
-  return study == "flight" || study == "starts" || study == "margin" || study == "points";
-}
 
 void add_flight_study_options(CLI::App& command, FlightStudyArguments& arguments) {
   command
@@ -75,33 +64,36 @@ void add_flight_study_options(CLI::App& command, FlightStudyArguments& arguments
       ->capture_default_str();
 }
 
-void flight_study(const std::string& study, const FlightStudyArguments& arguments, const StudyGiven& given,
-                  const OutputOptions& output, const Console& console) {
-  if (study == "starts") {
-    StartStudyOptions options = given_to(arguments.starts, given);
-    options.seed = given.seed;
-    return show(
-        output, console, [&](const auto& progress) { return run_start_study(options, progress); }, print_start_study,
-        start_study_as_json);
-  }
-  const auto show_of_engines = [&](auto options, const auto& run, const auto& print, const auto& as_json) {
-    options = given_to(std::move(options), given);
-    options.seed = given.seed;
-    options.engines = arguments.fleet.value_or(options.engines);
-    show(
-        output, console, [&](const auto& progress) { return run(options, progress); }, print, as_json);
-  };
-  if (study == "points")
-    return show_of_engines(arguments.points, run_point_study, print_point_study, point_study_as_json);
-  if (study == "margin")
-    return show_of_engines(arguments.margin, run_margin_study, print_margin_study, margin_study_as_json);
-  FlightStudyOptions options = given_to(arguments.flight, given);
-  options.draw.seed = given.seed;
+StudyOutcome whole_flight_study(const FlightStudyArguments& arguments, const StudyGiven& given,
+                                const StudyProgress& progress) {
+  FlightStudyOptions options = arguments.flight;
   options.engines = arguments.fleet.value_or(options.engines);
-  const auto scheduled = scheduled_of(arguments.schedule, options.step_s);
-  show(
-      output, console, [&](const auto& progress) { return run_flight_study(options, scheduled, progress); },
-      print_flight_study, flight_study_as_json);
+  options.engine = given.engine;
+  options.draw.seed = given.seed;
+  options.threads = given.threads;
+  return outcome_of(run_flight_study(options, scheduled_of(arguments.schedule, options.step_s), progress),
+                    {print_flight_study, flight_study_as_json});
+}
+
+StudyOutcome start_study(const FlightStudyArguments& arguments, const StudyGiven& given,
+                         const StudyProgress& progress) {
+  StartStudyOptions options = arguments.starts;
+  options.engine = given.engine;
+  options.seed = given.seed;
+  options.threads = given.threads;
+  return outcome_of(run_start_study(options, progress), {print_start_study, start_study_as_json});
+}
+
+StudyOutcome margin_study(const FlightStudyArguments& arguments, const StudyGiven& given,
+                          const StudyProgress& progress) {
+  return outcome_of(run_margin_study(given_to(arguments.margin, arguments, given), progress),
+                    {print_margin_study, margin_study_as_json});
+}
+
+StudyOutcome point_study(const FlightStudyArguments& arguments, const StudyGiven& given,
+                         const StudyProgress& progress) {
+  return outcome_of(run_point_study(given_to(arguments.points, arguments, given), progress),
+                    {print_point_study, point_study_as_json});
 }
 
 }  // namespace ehm::tuner_design

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "tuner_design/cli/command.h"
+#include "tuner_design/cli/studies/study_outcome.h"
 #include "tuner_design/flight/flight_figures.h"
 #include "tuner_design/flight/margin_study.h"
 #include "tuner_design/flight/start_study.h"
@@ -27,20 +28,15 @@ struct FlightStudyArguments {
   PointStudyOptions points;
 };
 
-bool is_flight_study(const std::string& study);
-
 /// --fleet, --step, --starts; engine, seed and threads are the study command's.
 void add_flight_study_options(CLI::App& command, FlightStudyArguments& arguments);
 
-/// What all studies are given.
-struct StudyGiven {
-  std::shared_ptr<const engine_sim::EngineDefinition> engine;
-  std::uint64_t seed;
-  unsigned threads;
-};
-
-/// Flies and prints.
-void flight_study(const std::string& study, const FlightStudyArguments& arguments, const StudyGiven& given,
-                  const OutputOptions& output, const Console& console);
+/// @throws files::FileError if the design of --schedule is bad
+StudyOutcome whole_flight_study(const FlightStudyArguments& arguments, const StudyGiven& given,
+                                const StudyProgress& progress);
+StudyOutcome start_study(const FlightStudyArguments& arguments, const StudyGiven& given, const StudyProgress& progress);
+StudyOutcome margin_study(const FlightStudyArguments& arguments, const StudyGiven& given,
+                          const StudyProgress& progress);
+StudyOutcome point_study(const FlightStudyArguments& arguments, const StudyGiven& given, const StudyProgress& progress);
 
 }  // namespace ehm::tuner_design

@@ -1,39 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/studies/kosanam_command.h"
 
-#include <ostream>
-#include <stdexcept>
-
-#include "deploy/runtime/files/atomic_file.h"
-#include "deploy/runtime/files/file_error.h"
-#include "tuner_design/print/check_text.h"
+#include "tuner_design/cli/studies/model_study_command.h"
 #include "tuner_design/print/studies/kosanam_text.h"
+#include "tuner_design/report/study_sections/study_sections.h"
 
 namespace ehm::tuner_design {
 namespace {
 
-template <class Study>
-void finish(const Study& study, const KosanamGiven& given, const OutputOptions& output, const Console& console,
-            std::string (*csv)(const Study&), nlohmann::ordered_json (*json)(const Study&),
-            void (*print)(const Study&, std::ostream&)) {
-  if (!given.csv.empty()) {
-    require_other_file("--csv", given.csv, {given.model_file});
-    files::write_file_atomically(given.csv, csv(study));
-  }
-  print_result(
-      console, output,
-      [&] {
-        nlohmann::ordered_json result = json(study);
-        result["assumed"] = given.model.assumed;
-        return result;
-      },
-      [&](std::ostream& out) {
-        print(study, out);
-        print_assumed(given.model.assumed, out);
-      });
-}
-
-BatchOptions batch_of(const KosanamArguments& arguments, const KosanamGiven& given, BatchOptions batch) {
+BatchOptions batch_of(const KosanamArguments& arguments, const StudyGiven& given, BatchOptions batch) {
   batch.runs = arguments.runs.value_or(batch.runs);
   batch.flights = arguments.flights.value_or(batch.flights);
   batch.equal_wear_percent = arguments.equal_wear_percent;
@@ -43,10 +18,6 @@ BatchOptions batch_of(const KosanamArguments& arguments, const KosanamGiven& giv
 }
 
 }  // namespace
-
-bool is_kosanam_study(const std::string& study) {
-  return study.starts_with("kosanam");
-}
 
 void add_kosanam_options(CLI::App& command, KosanamArguments& arguments) {
   command
@@ -69,30 +40,36 @@ void add_kosanam_options(CLI::App& command, KosanamArguments& arguments) {
       ->capture_default_str();
 }
 
-void kosanam_study(KosanamArguments arguments, const KosanamGiven& given, const OutputOptions& output,
-                   const Console& console) {
-  if (given.study == "kosanam-ga") {
-    arguments.search.seed = given.seed;
-    return finish(search_gains(arguments.search), given, output, console, gain_search_csv, gain_search_as_json,
-                  print_gain_search);
-  }
-  try {
-    if (given.study == "kosanam-5.1") {
-      ConstrainedTablesOptions options;
-      options.batch = batch_of(arguments, given, options.batch);
-      long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
-      const ConstrainedTables tables =
-          constrained_tables(given.model.model, options, [&](double share) { bar.show_share(share); });
-      return finish(tables, given, output, console, constrained_tables_csv, constrained_tables_as_json,
-                    print_constrained_tables);
-    }
-    arguments.robust.batch = batch_of(arguments, given, arguments.robust.batch);
-    finish(robust_tables(given.model.model, arguments.robust), given, output, console, robust_tables_csv,
-           robust_tables_as_json, print_robust_tables);
-  } catch (const std::invalid_argument& error) {
-    throw files::FileError((given.model_file.empty() ? given.model.model.name : given.model_file) + ": " +
-                           error.what());
-  }
+StudyOutcome kosanam_constrained_study(const KosanamArguments& arguments, const ImportedModel& model,
+                                       const std::string& model_file, const StudyGiven& given,
+                                       const StudyProgress& progress) {
+  ConstrainedTablesOptions options;
+  options.batch = batch_of(arguments, given, options.batch);
+  return of_model(model, model_file, [&] {
+    return outcome_of(
+        constrained_tables(model.model, options, progress),
+        {print_constrained_tables, constrained_tables_as_json, constrained_tables_csv, report::constrained_section});
+  });
+}
+
+StudyOutcome kosanam_robust_study(const KosanamArguments& arguments, const ImportedModel& model,
+                                  const std::string& model_file, const StudyGiven& given) {
+  RobustTablesOptions options = arguments.robust;
+  options.batch = batch_of(arguments, given, options.batch);
+  return of_model(model, model_file, [&] {
+    return outcome_of(robust_tables(model.model, options),
+                      {print_robust_tables, robust_tables_as_json, robust_tables_csv, report::robust_tables_section});
+  });
+}
+
+StudyOutcome kosanam_search_study(const KosanamArguments& arguments, const ImportedModel& model,
+                                  const std::string& model_file, const StudyGiven& given) {
+  GainSearchOptions options = arguments.search;
+  options.seed = given.seed;
+  return of_model(model, model_file, [&] {
+    return outcome_of(search_gains(options),
+                      {print_gain_search, gain_search_as_json, gain_search_csv, report::gain_search_section});
+  });
 }
 
 }  // namespace ehm::tuner_design

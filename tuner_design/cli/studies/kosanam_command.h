@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tuner_design/cli/command.h"
+#include "tuner_design/cli/studies/study_outcome.h"
 #include "tuner_design/import/import_model.h"
 #include "tuner_design/kosanam/gain_search.h"
 #include "tuner_design/kosanam/robust_tables.h"
@@ -20,18 +21,18 @@ struct KosanamArguments {
   GainSearchOptions search;
 };
 
-bool is_kosanam_study(const std::string& study);
 void add_kosanam_options(CLI::App& command, KosanamArguments& arguments);
 
-struct KosanamGiven {
-  std::string study, model_file, csv;
-  ImportedModel model;  ///< not used by kosanam-ga
-  std::uint64_t seed = 1;
-  unsigned threads = 1;
-};
-
-/// @throws files::FileError if the model is not one that the study can fly, or a file cannot be written.
-void kosanam_study(KosanamArguments arguments, const KosanamGiven& given, const OutputOptions& output,
-                   const Console& console);
+/// kosanam-5.1. `model_file`: what `model` was read from, or empty.
+/// @throws files::FileError if the model is not one that the study can fly, as kosanam_robust_study does
+StudyOutcome kosanam_constrained_study(const KosanamArguments& arguments, const ImportedModel& model,
+                                       const std::string& model_file, const StudyGiven& given,
+                                       const StudyProgress& progress);
+/// kosanam-5.2 and -5.3: one result.
+StudyOutcome kosanam_robust_study(const KosanamArguments& arguments, const ImportedModel& model,
+                                  const std::string& model_file, const StudyGiven& given);
+/// kosanam-ga: on a vehicle; of the model it only says what was assumed.
+StudyOutcome kosanam_search_study(const KosanamArguments& arguments, const ImportedModel& model,
+                                  const std::string& model_file, const StudyGiven& given);
 
 }  // namespace ehm::tuner_design

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tuner_design/cli/studies/lu_study_command.h"
 
-#include "deploy/runtime/files/atomic_file.h"
 #include "tuner_design/print/studies/lu_text.h"
+#include "tuner_design/report/study_sections/study_sections.h"
 
 namespace ehm::tuner_design {
 
@@ -15,14 +15,14 @@ void add_lu_study_options(CLI::App& command, LuOptions& options) {
       ->capture_default_str();
 }
 
-void lu_study(const std::string& name, LuOptions options, const std::string& csv, const OutputOptions& output,
-              const Console& console) {
+StudyOutcome lu_study(const std::string& name, LuOptions options, const StudyGiven& given,
+                      const StudyProgress& progress) {
   options.table = name.back() - '0';
-  long_work::ProgressBar bar = progress_bar(console, output, long_work::ProgressBar::shares);
-  const LuStudy study = run_lu_study(options, [&](double share) { bar.show_share(share); });
-  if (!csv.empty()) files::write_file_atomically(csv, lu_study_as_csv(study));
-  print_result(
-      console, output, [&] { return lu_study_as_json(study); }, [&](std::ostream& out) { print_lu_study(study, out); });
+  options.engine = given.engine;
+  options.seed = given.seed;
+  options.threads = given.threads;
+  return outcome_of(run_lu_study(options, progress),
+                    {print_lu_study, lu_study_as_json, lu_study_as_csv, report::lu_section});
 }
 
 }  // namespace ehm::tuner_design

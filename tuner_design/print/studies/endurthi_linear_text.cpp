@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ostream>
 
+#include "tuner_design/endurthi/best_models.h"
 #include "tuner_design/endurthi/published.h"
 
 namespace ehm::tuner_design {
@@ -13,43 +13,8 @@ namespace {
 
 using namespace endurthi;
 
-constexpr std::size_t published_average_model = 23, published_final_model = 8;  ///< LIN212, LIN022
-
-std::string name_of(std::size_t model) {
-  return model == tangent_model ? "tangent" : "LIN" + model_digits(model);
-}
-
-double ModelError::*part(int table) {
+ErrorPart part(int table) {
   return table == 1 ? &ModelError::average : &ModelError::final;
-}
-
-std::size_t best_of(const ModelErrors& errors, double ModelError::*wanted) {
-  const auto best = std::min_element(errors.begin(), errors.begin() + model_count,
-                                     [&](const auto& a, const auto& b) { return a.*wanted < b.*wanted; });
-  return static_cast<std::size_t>(best - errors.begin());
-}
-
-/// How many times the best of its cell a model misses, in its worst cell.
-double worst_ratio(const LinearisationPoint& point, std::size_t model, double ModelError::*wanted) {
-  double worst = 0.0;
-  for (const auto& row : point.errors)
-    for (const ModelErrors& errors : row)
-      worst = std::max(worst, errors[model].*wanted / (errors[best_of(errors, wanted)].*wanted));
-  return worst;
-}
-
-/// Of all models the one that needs to know least of the change that comes.
-std::size_t safest_of(const LinearisationPoint& point, double ModelError::*wanted) {
-  std::size_t safest = 0;
-  for (std::size_t model = 1; model <= model_count; ++model)
-    if (worst_ratio(point, model, wanted) < worst_ratio(point, safest, wanted)) safest = model;
-  return safest;
-}
-
-std::string published_best(int table, std::size_t linearised, std::size_t test) {
-  if (table == 1) return published_best_average;
-  const bool tie = linearised == 0 && test + 1 == studied_percents.size();
-  return tie ? published_best_final_first_row_last_column : published_best_final;
 }
 
 void print_head(const LinearisationStudy& study, int table, std::ostream& out) {
@@ -90,10 +55,10 @@ void print_best(const LinearisationPoint& point, int table, bool published, std:
     };
     const auto best = [&](std::size_t test) {
       const std::size_t model = best_of(row[test], wanted);
-      return fmt::format("{} {:.3g}", name_of(model), row[test][model].*wanted);
+      return fmt::format("{} {:.3g}", model_name(model), row[test][model].*wanted);
     };
     print_line(fmt::format("{:g} %", studied_percents[linearised]), "best", best, out);
-    print_line("", name_of(theirs), value(theirs), out);
+    print_line("", model_name(theirs), value(theirs), out);
     print_line("", "tangent", value(tangent_model), out);
     if (published)
       print_line(
@@ -101,8 +66,8 @@ void print_best(const LinearisationPoint& point, int table, bool published, std:
   }
   const std::size_t safest = safest_of(point, wanted);
   out << fmt::format("  worst cell, times the best there: {} {:.2f} (least of all), tangent {:.2f}, {} {:.1f}\n",
-                     name_of(safest), worst_ratio(point, safest, wanted), worst_ratio(point, tangent_model, wanted),
-                     name_of(theirs), worst_ratio(point, theirs, wanted));
+                     model_name(safest), worst_ratio(point, safest, wanted), worst_ratio(point, tangent_model, wanted),
+                     model_name(theirs), worst_ratio(point, theirs, wanted));
 }
 
 void print_groups(const LinearisationPoint& point, std::ostream& out) {
@@ -132,7 +97,7 @@ void print_all(const LinearisationStudy& study, std::ostream& out) {
     out << fmt::format(" |{:>10}{:>10}{:>10}{:>10}", "average", "final", "corner", "final");
   out << '\n';
   for (std::size_t model = 0; model <= model_count; ++model) {
-    out << fmt::format("  {:<10}", name_of(model));
+    out << fmt::format("  {:<10}", model_name(model));
     if (model < model_count)
       out << fmt::format("{:>10.2f}{:>10.2f}", published_models[model].average_1e4, published_models[model].final_1e4);
     else
@@ -179,7 +144,7 @@ nlohmann::ordered_json linearisation_study_as_json(const LinearisationStudy& stu
                       {"linearised_with_percent", linearised},
                       {"tested_with_percent", test},
                       {"corner", corner},
-                      {"model", name_of(model)},
+                      {"model", model_name(model)},
                       {"average", error.average},
                       {"final", error.final}});
   });
@@ -195,11 +160,11 @@ std::string linearisation_study_csv(const LinearisationStudy& study) {
   std::string text = "point,linearised_with_percent,tested_with_percent,corner,model,average,final\n";
   for_each_error(study, [&](const LinearisationPoint& point, double linearised, double test, bool corner,
                             std::size_t model, const ModelError& error) {
-    text += fmt::format("\"{}\",{},{},{},{},{},{}\n", point.name, linearised, test, corner ? 1 : 0, name_of(model),
+    text += fmt::format("\"{}\",{},{},{},{},{},{}\n", point.name, linearised, test, corner ? 1 : 0, model_name(model),
                         error.average, error.final);
   });
   for (std::size_t model = 0; model < model_count; ++model)
-    text += fmt::format("published,{0},{0},0,{1},{2},{3}\n", studied_percents[0], name_of(model),
+    text += fmt::format("published,{0},{0},0,{1},{2},{3}\n", studied_percents[0], model_name(model),
                         1e-4 * published_models[model].average_1e4, 1e-4 * published_models[model].final_1e4);
   return text;
 }

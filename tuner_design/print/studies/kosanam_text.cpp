@@ -15,11 +15,6 @@ std::vector<double> values(const Eigen::VectorXd& v) {
   return {v.begin(), v.end()};
 }
 
-/// Of one parameter, percent of its change.
-double of_change(const BatchResult& result, std::size_t filter, Eigen::Index i) {
-  return 100.0 * result.filters[filter].rms(i) / result.change(i);
-}
-
 void print_not_known(const std::vector<std::string>& names, std::ostream& out) {
   for (const std::string& name : names)
     out << fmt::format("  {} is not in the wear table: it wears as fan_efficiency does\n", name);
@@ -43,7 +38,7 @@ std::string csv_lines(const std::string& head, const BatchResult& result, const 
       const BatchErrors& errors = result.filters[f];
       const Eigen::Index at = as_index(i);
       lines += fmt::format("{},\"{}\",{},{:.6g},{:.6g},{:.6g},{:.6g}\n", head, errors.name, health[i], errors.rms(at),
-                           of_change(result, f, at), errors.bias(at), errors.coverage(at));
+                           result.of_change(f, at), errors.bias(at), errors.coverage(at));
     }
   return lines;
 }
@@ -78,8 +73,8 @@ void print_table_5_1(const ConstrainedTables& t, std::ostream& out) {
     const auto at = as_index(i);
     const bool known = i < published_5_1.size() && t.health.size() == published_5_1.size();
     line(t.health[i], known ? published_5_1[i][0] : 0.0, known ? published_5_1[i][1] : 0.0,
-         of_change(r, constrained_case::kalman, at), of_change(r, constrained_case::identity, at),
-         of_change(r, constrained_case::projection, at));
+         r.of_change(constrained_case::kalman, at), r.of_change(constrained_case::identity, at),
+         r.of_change(constrained_case::projection, at));
   }
   line("average", published_5_1_average[0], published_5_1_average[1], r.of_change(constrained_case::kalman),
        r.of_change(constrained_case::identity), r.of_change(constrained_case::projection));
@@ -168,8 +163,8 @@ void print_robust_table(const RobustTables& t, double noise, const std::array<st
   };
   for (std::size_t i = 0; i < t.health.size(); ++i)
     line(t.health[i], t.health.size() == published.size() ? shown(published[i]) : "",
-         of_change(r, robust_case::standard, as_index(i)), of_change(r, robust_case::mixed, as_index(i)),
-         of_change(r, robust_case::robust, as_index(i)));
+         r.of_change(robust_case::standard, as_index(i)), r.of_change(robust_case::mixed, as_index(i)),
+         r.of_change(robust_case::robust, as_index(i)));
   line("average", shown(average), r.of_change(robust_case::standard), r.of_change(robust_case::mixed),
        r.of_change(robust_case::robust));
 }

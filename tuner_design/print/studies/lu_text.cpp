@@ -3,68 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <ostream>
 
-#include "deploy/runtime/numbers/index.h"
-#include "tuner_design/lu/published_lu.h"
+#include "tuner_design/lu/published_beside.h"
 
 namespace ehm::tuner_design {
 namespace {
-
-std::string filter_name(const LuCase& c) {
-  return std::string(lu_filter_names[static_cast<std::size_t>(c.flight.filter)]);
-}
-
-/// Column of the paper: EKF, PF, cEKPF.
-std::optional<std::size_t> published_column(LuFilter filter) {
-  switch (filter) {
-    case LuFilter::extended:
-      return 0;
-    case LuFilter::particle:
-      return 1;
-    case LuFilter::boxed_particle:
-      return 2;
-    default:
-      return std::nullopt;
-  }
-}
-
-double sum_of_means(const published::Lu& p) {
-  double sum = 0.0;
-  for (const double m : p.mean) sum += std::abs(m);
-  return sum;
-}
-
-/// What the paper says of a case of tables 4 and 5.
-const published::Lu* published_of(const LuStudy& s, const LuCase& c) {
-  const auto column = published_column(c.flight.filter);
-  if (!column || c.flight.fault == 0 || c.flight.ratio_weights) return nullptr;
-  const published::LuTable& table = s.options.table == 4 ? published::table_4 : published::table_5;
-  return &table[as_size(c.flight.fault - 1)][*column];
-}
-
-/// SME in percent, or seconds, of tables 6 to 9.
-std::optional<double> published_figure(const LuStudy& s, const LuCase& c, std::size_t index) {
-  const auto column = published_column(c.flight.filter);
-  switch (s.options.table) {
-    case 6:
-      if (column && c.flight.noise != NoiseDistribution::rayleigh)
-        return published::table_6[c.flight.noise == NoiseDistribution::gaussian ? 0 : 1][*column];
-      return std::nullopt;
-    case 7:
-      return column && !c.flight.own_jacobian ? std::optional(published::table_7[as_size(c.flight.fault - 1)][*column])
-                                              : std::nullopt;
-    case 8:
-      if (c.flight.filter == LuFilter::extended_particle) return published::table_8_ekpf[*c.flight.missing_sensor];
-      return column && *column == 2 ? std::optional(published::table_8_cekpf[*c.flight.missing_sensor]) : std::nullopt;
-    case 9:
-      return published::table_9_sme[index / 3][index % 3];
-    default:
-      return std::nullopt;
-  }
-}
 
 std::string figure_text(const std::optional<double>& value) {
   if (!value) return "";
@@ -85,7 +30,7 @@ void print_parameters(const LuStudy& s, std::ostream& out) {
                        c.diverged ? fmt::format("  {} of {} diverged", c.diverged, s.options.runs) : "");
     line("", "  sd", std::vector<double>(c.sigma_rms.begin(), c.sigma_rms.end()));
     out << '\n';
-    if (const published::Lu* p = published_of(s, c); p && c.flight.noise != NoiseDistribution::rayleigh) {
+    if (const published::Lu* p = published_parameters(s, c)) {
       line("  the paper's, its one run", filter_name(c), p->mean);
       out << fmt::format("{:>9.3f}\n", sum_of_means(*p));
       line("", "  sd", p->sigma);
@@ -102,7 +47,7 @@ void print_figures(const LuStudy& s, std::ostream& out) {
     const LuCase& c = s.cases[i];
     out << fmt::format("  {:<40}{:<8}{:>12}{:>10}{:>12}{}\n", c.what, filter_name(c),
                        fmt::format("{:.4f}", cost ? c.seconds : c.sme), cost ? "" : fmt::format("{:.3f}", c.sme_spread),
-                       figure_text(published_figure(s, c, i)),
+                       figure_text(published_figure(s, i)),
                        c.diverged ? fmt::format("  {} of {} diverged", c.diverged, s.options.runs) : "");
   }
 }
@@ -136,7 +81,7 @@ nlohmann::ordered_json lu_study_as_json(const LuStudy& s) {
                                 {"sme_spread_percent", c.sme_spread},
                                 {"diverged", c.diverged}};
     if (s.options.table == 7) json["seconds_a_second"] = c.seconds;
-    if (const auto p = published_figure(s, c, i)) json["published"] = *p;
+    if (const auto p = published_figure(s, i)) json["published"] = *p;
     cases.push_back(std::move(json));
   }
   return {{"table", s.options.table},           {"engine", s.options.engine->data.name},

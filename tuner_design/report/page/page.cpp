@@ -54,9 +54,10 @@ std::string to_html(const Page& page) {
       "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
       "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, "
       "initial-scale=1\"/>\n<meta name=\"color-scheme\" content=\"light dark\"/>\n<title>" +
-      escaped(page.title + ": tuner design report") + "</title>\n<style>\n" + page_style +
-      "</style>\n</head>\n<body>\n<header><p class=\"kicker\">Tuner design report</p><h1>" + escaped(page.title) +
-      "</h1><p class=\"subtitle\">" + escaped(page.subtitle) + "</p></header>\n" + contents(page.sections) + "<main>\n";
+      escaped(page.title + ": " + page.kind) + "</title>\n<style>\n" + page_style +
+      "</style>\n</head>\n<body>\n<header><p class=\"kicker\">" + escaped(page.kind) + "</p><h1>" +
+      escaped(page.title) + "</h1><p class=\"subtitle\">" + escaped(page.subtitle) + "</p></header>\n" +
+      contents(page.sections) + "<main>\n";
   for (const Section& section : page.sections) {
     html +=
         "<section id=\"" + section.id + "\"><h2>" + escaped(section.title) + "</h2>\n" + section.html + "</section>\n";

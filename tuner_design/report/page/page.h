@@ -34,6 +34,7 @@ struct Section {
 struct Page {
   std::string title, subtitle, footer;
   std::vector<Section> sections;
+  std::string kind = "Tuner design report";  ///< above the title, and in the browser's
 };
 
 std::string to_html(const Page& page);

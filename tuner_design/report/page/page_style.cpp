@@ -82,6 +82,7 @@ svg .cell-number.strong { fill: var(--on-strong); }
 .grid { stroke: var(--grid); stroke-width: 1; } .grid.minor { stroke-opacity: 0.55; }
 .frame { stroke: var(--soft); stroke-width: 1; }
 .cell { stroke: var(--rule); stroke-width: 0.6; }
+.defect { fill: var(--ink); }
 .positive { fill: var(--positive); } .negative { fill: var(--negative); }
 .fill1 { fill: var(--c1); } .fill2 { fill: var(--c2); } .fill3 { fill: var(--c3); }
 .fill4 { fill: var(--c4); } .fill5 { fill: var(--c5); } .fill6 { fill: var(--c6); }

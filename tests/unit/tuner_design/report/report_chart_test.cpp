@@ -15,6 +15,7 @@
 #include "tuner_design/report/page/html_table.h"
 #include "tuner_design/report/page/line_chart.h"
 #include "tuner_design/report/page/page.h"
+#include "tuner_design/report/page/score_matrix.h"
 #include "tuner_design/report/page/text.h"
 
 namespace ehm::tuner_design::report {
@@ -136,6 +137,39 @@ TEST(ReportLineChart, LeavesOutWhatAnAxisCannotShow) {
   EXPECT_EQ(data_of(chart).rows.size(), 7U);
   EXPECT_NO_THROW(
       draw(LineChart{.id = "e", .title = "", .description = "", .x = {}, .y = {}, .series = {}}, 300.0, "e"));
+}
+
+TEST(ReportScoreMatrix, ColoursAreLogarithmicAboutOneAndDefectsAreMarked) {
+  ScoreMatrix matrix{.id = "matrix",
+                     .title = "Title",
+                     .description = "Description",
+                     .rows = {"first", "<b>"},
+                     .columns = {"a", "b"},
+                     .values = Eigen::MatrixXd(2, 2),
+                     .marked = Eigen::MatrixXi::Zero(2, 2),
+                     .scale_title = "scale",
+                     .mark_title = "defect"};
+  matrix.values << std::sqrt(0.1), 1000.0, 1.0, not_finite;
+  matrix.marked(0, 1) = 1;
+  const std::string markup = draw(matrix, wide_px, "matrix");
+  const auto opacities = attributes(markup, "rect", "fill-opacity"), styles = attributes(markup, "rect", "class");
+  EXPECT_EQ(std::vector(opacities.begin(), opacities.begin() + 4),
+            (std::vector<std::string>{"0.50", "1.00", "0.00", "0.00"}));
+  EXPECT_EQ(styles[0], "cell positive");
+  EXPECT_EQ(styles[1], "cell negative");
+  EXPECT_EQ(attributes(markup, "polygon", "points").size(), 2U);  // the cell, and the legend
+  EXPECT_THAT(markup, Not(HasSubstr("<b>")));
+  EXPECT_THAT(markup, Not(HasSubstr("nan")));
+
+  matrix.bars = {1.0, not_finite};
+  matrix.bar_title = "cost, s";
+  for (const double width : {wide_px, narrow_px}) {
+    const std::string barred = draw(matrix, width, "matrix");
+    const auto fills = attributes(barred, "rect", "class");
+    EXPECT_EQ(std::count(fills.begin(), fills.end(), "fill6"), 1);
+    EXPECT_THAT(barred, HasSubstr("cost, s"));
+  }
+  EXPECT_NO_THROW(draw(ScoreMatrix{}, narrow_px, "empty"));
 }
 
 TEST(ReportHeatMap, StrengthAndSignFollowTheEntry) {
