@@ -3,7 +3,8 @@
 // How one estimator has done of late, beside the published one: its time, how well its innovations fit their own
 // variances, and how far its health is from the published.
 //
-//   innovation_ratio = mean over fused sensors and samples of nu_i^2 / S_ii      1 for an honest estimator
+//   innovation_ratio = mean over fused sensors and samples of nu_i^2 / S_ii      1 as expected; far less with an
+//                                                                               early gain (theory.md, section 18)
 //   difference       = sqrt(mean_j ((h_j - h_published_j) / sigma_published_j)^2)   of the latest sample; no unit
 //
 // The mean is over all samples at first, then forgets in mean_samples. S_ii leaves out what the sensors share, so that
