@@ -197,7 +197,9 @@ TEST_F(MetricsTest, TellHowEachEstimatorDoes) {
     EXPECT_GT(metrics.value("ehm_estimator_seconds_total", labels), 1e-7 * samples);  // no filter is that fast
     EXPECT_GE(metrics.value("ehm_estimator_longest_seconds", labels),
               metrics.value("ehm_estimator_seconds_total", labels) / samples);
-    EXPECT_NEAR(metrics.value("ehm_estimator_innovation_ratio", labels), 1.0, 0.25);
+    const double ratio = metrics.value("ehm_estimator_innovation_ratio", labels);  // less than 1 while it converges
+    EXPECT_GT(ratio, 0.3);
+    EXPECT_LT(ratio, 1.3);
   }
 }
 
