@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Speed of Monte Carlo on the linear truth, at the size of the JT9D-class engine: 2 states, 7 sensors, 10 health
-// parameters, 7 tuners, 3 actuators, 4 auxiliary outputs.
+// parameters, 7 tuners, 5 actuators, 4 auxiliary outputs.
 //   kalman_steps           15 ms steps a second on one core: truth, noise, filter and the errors of the window
 //   filter_step            the monitor's filter alone: predict, innovation, update with all its outputs
 //   fused_fixed_size       the least that such a filter can cost: xhat = Acl xhat + (I-KC) B u + K y,
@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <stdexcept>
 
 #include "engine_sim/engines/jt9d_engine.h"
 #include "monitor/design/make_filter.h"
@@ -28,7 +29,16 @@
 namespace ehm::tuner_design {
 namespace {
 
-constexpr int states = 9, sensors = 7, actuators = 3, health = 10, auxiliary = 4;  // states: two and seven tuners
+constexpr int states = 9, sensors = 7, actuators = 5, health = 10, auxiliary = 4;  // states: two and seven tuners
+
+/// Sizes that the design has not would read beyond its matrices.
+design::Design sized(design::Design design) {
+  const linear_model::LinearModel& model = design.model;
+  if (design.full.A.rows() != states || model.sensors.size() != sensors || model.controls.size() != actuators ||
+      model.health.size() != health || model.auxiliary.size() != auxiliary)
+    throw std::logic_error("monte_carlo_bench: the default engine's design has other sizes than the bench");
+  return design;
+}
 
 /// Cruise by the tangent, which has all seven tuners.
 const design::Design& cruise_design() {
@@ -37,7 +47,7 @@ const design::Design& cruise_design() {
     options.flight = {10668.0, 0.8, 0.0};
     options.demand = {engine_sim::DemandKind::t40_k, 1308.6};
     options.fleet = 0;
-    return design_tuner(linearise(engine_sim::default_engine(), options).model, {});
+    return sized(design_tuner(linearise(engine_sim::default_engine(), options).model, {}));
   }();
   return design;
 }
@@ -71,7 +81,7 @@ class FilterStep {
   estimation::TunerFilter filter_ = design::make_filter(cruise_design());
   estimation::SensorVector y_ = estimation::SensorVector::Ones(sensors);
   estimation::ActuatorVector u_ = estimation::ActuatorVector::Zero(actuators);
-  estimation::SensorMask all_ = ~estimation::SensorMask();
+  estimation::SensorMask all_{(1u << sensors) - 1u};
 };
 
 /// `outputs`: h and z as well.
