@@ -84,6 +84,7 @@ class Flight {
     for (const auto& flier : fleet.fliers) {
       estimators_.push_back(flier ? flier->clone() : nullptr);
       outcomes_.emplace_back().errors = Eigen::ArrayXd::Zero(p);
+      outcomes_.back().covered_of = Eigen::ArrayXd::Zero(p);
     }
     steps_s_.resize(outcomes_.size());
     for (std::size_t i = 0; i < fleet.engine.channels.sensors.size(); ++i) fused_.set(i);
@@ -194,7 +195,9 @@ class Flight {
       out.claims += sigma * sigma;
       out.errors(at) += error;
       ++out.judged;
-      out.covered += std::abs(error) <= 1.96 * sigma ? 1.0 : 0.0;
+      const double covered = std::abs(error) <= 1.96 * sigma ? 1.0 : 0.0;
+      out.covered += covered;
+      out.covered_of(at) += covered;
     }
   }
 

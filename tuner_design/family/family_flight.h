@@ -17,6 +17,7 @@ struct FamilyOutcome {
   double samples = 0, held = 0, squares = 0, claims = 0;  ///< percent^2
   double judged = 0, covered = 0;                         ///< health estimates
   Eigen::ArrayXd errors;                                  ///< of each parameter, summed; percent
+  Eigen::ArrayXd covered_of;                              ///< of each parameter
   std::optional<double> answer_s;
   double step_s = 0.0;  ///< what the estimator took of a sample, median: of the clock, no part of the result
 };

@@ -53,6 +53,7 @@ Fliers fliers_of(const design::Design& design, const FamilyOptions& options) {
   at_point.lag_speed_s = at_point.lag_pressure_s = at_point.lag_temperature_s = 0.0;
   const design::Design coarse = coarser(design, flight_step_s);
   for (const design::EstimatorKind& kind : design::estimator_kinds()) {
+    if (!options.estimators.empty() && std::ranges::count(options.estimators, kind.name) == 0) continue;
     try {
       std::shared_ptr<const estimation::Estimator> here = design::make_estimator(kind.name, design, at_point, {}),
                                                    aloft;
@@ -70,7 +71,7 @@ Fliers fliers_of(const design::Design& design, const FamilyOptions& options) {
 
 std::optional<FamilyScore> score_of(const std::vector<std::vector<FamilyOutcome>>& fleet, std::size_t estimator) {
   FamilyOutcome sum;
-  sum.errors = Eigen::ArrayXd::Zero(fleet.front()[estimator].errors.size());
+  sum.errors = sum.covered_of = Eigen::ArrayXd::Zero(fleet.front()[estimator].errors.size());
   std::vector<double> answers;
   double least_step_s = std::numeric_limits<double>::infinity();
   for (const auto& engine : fleet) {
@@ -82,6 +83,7 @@ std::optional<FamilyScore> score_of(const std::vector<std::vector<FamilyOutcome>
     sum.judged += o.judged;
     sum.covered += o.covered;
     sum.errors += o.errors;
+    sum.covered_of += o.covered_of;
     if (o.answer_s) answers.push_back(*o.answer_s);
     least_step_s = std::min(least_step_s, o.step_s);
   }
@@ -91,6 +93,7 @@ std::optional<FamilyScore> score_of(const std::vector<std::vector<FamilyOutcome>
                     .claims = sum.claims / sum.held,
                     .coverage = sum.covered / sum.judged,
                     .bias = std::sqrt((sum.errors / sum.held).square().mean()),
+                    .least_coverage = sum.covered_of.minCoeff() / sum.held,
                     .answer_s = {},
                     .step_us = 1e6 * least_step_s};
   if (2 * answers.size() > fleet.size()) {  // the others count as never

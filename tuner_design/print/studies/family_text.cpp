@@ -22,8 +22,8 @@ void print_family_study(const FamilyStudy& s, std::ostream& out) {
   for (const FamilyCaseResult& c : s.cases) {
     out << fmt::format("\n{}: {} engines{}\n", name_of(c.what), c.flown,
                        c.failed ? fmt::format(", {} did not fly to the end and are in no figure", c.failed) : "");
-    out << fmt::format("  {:<14}{:>8}{:>12}{:>12}{:>10}{:>9}{:>10}\n", "estimator", "held %", "SSEE", "claims",
-                       "coverage", "bias %", c.what == FamilyCase::rapid ? "answer s" : "");
+    out << fmt::format("  {:<14}{:>8}{:>12}{:>12}{:>10}{:>8}{:>9}{:>10}\n", "estimator", "held %", "SSEE", "claims",
+                       "coverage", "least", "bias %", c.what == FamilyCase::rapid ? "answer s" : "");
     for (std::size_t e = 0; e < s.estimators.size(); ++e) {
       const auto& score = c.scores[e];
       if (!score) {
@@ -31,8 +31,8 @@ void print_family_study(const FamilyStudy& s, std::ostream& out) {
         continue;
       }
       out << fmt::format(
-          "  {:<14}{:>8.1f}{:>12.2f}{:>12.2f}{:>10.3f}{:>9.3f}{:>10}\n", s.estimators[e], 100.0 * score->held,
-          score->ssee, score->claims, score->coverage, score->bias,
+          "  {:<14}{:>8.1f}{:>12.2f}{:>12.2f}{:>10.3f}{:>8.3f}{:>9.3f}{:>10}\n", s.estimators[e], 100.0 * score->held,
+          score->ssee, score->claims, score->coverage, score->least_coverage, score->bias,
           score->answer_s ? fmt::format("{:.2f}", *score->answer_s) : (c.what == FamilyCase::rapid ? "never" : ""));
     }
   }
@@ -50,6 +50,7 @@ nlohmann::ordered_json family_study_as_json(const FamilyStudy& s) {
                                   {"ssee_percent2", score->ssee},
                                   {"claims_percent2", score->claims},
                                   {"coverage", score->coverage},
+                                  {"least_coverage", score->least_coverage},
                                   {"bias_percent", score->bias}};
       if (score->answer_s) json["answer_s"] = *score->answer_s;
       scores[s.estimators[e]] = std::move(json);
@@ -61,12 +62,12 @@ nlohmann::ordered_json family_study_as_json(const FamilyStudy& s) {
 }
 
 std::string family_study_as_csv(const FamilyStudy& s) {
-  std::string csv = "case,estimator,held,ssee_percent2,claims_percent2,coverage,bias_percent,answer_s\n";
+  std::string csv = "case,estimator,held,ssee_percent2,claims_percent2,coverage,least_coverage,bias_percent,answer_s\n";
   for (const FamilyCaseResult& c : s.cases)
     for (std::size_t e = 0; e < s.estimators.size(); ++e)
       if (const auto& score = c.scores[e])
-        csv += fmt::format("{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{}\n", name_of(c.what), s.estimators[e],
-                           score->held, score->ssee, score->claims, score->coverage, score->bias,
+        csv += fmt::format("{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{}\n", name_of(c.what), s.estimators[e],
+                           score->held, score->ssee, score->claims, score->coverage, score->least_coverage, score->bias,
                            score->answer_s ? fmt::format("{:.3f}", *score->answer_s) : "");
   return csv;
 }

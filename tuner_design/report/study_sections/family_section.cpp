@@ -60,15 +60,15 @@ ScoreMatrix matrix_of(const FamilyStudy& study) {
 
 DataTable table_of(const FamilyStudy& study) {
   DataTable table{{"case", "estimator", "held [%]", "SSEE [percent²]", "SSEE over the limit", "claims [percent²]",
-                   "coverage [%]", "bias [percent]", "half of the step seen after [s]"},
+                   "coverage [%]", "least coverage [%]", "bias [percent]", "half of the step seen after [s]"},
                   {}};
   for (const FamilyCaseResult& c : study.cases) {
     for (std::size_t e = 0; e < study.estimators.size(); ++e) {
       const auto& score = c.scores[e];
       if (!score) continue;
       table.rows.push_back({name_of(c.what), study.estimators[e], 100.0 * score->held, score->ssee,
-                            score->ssee / study.limit, score->claims, 100.0 * score->coverage, score->bias,
-                            score->answer_s.value_or(no_number)});
+                            score->ssee / study.limit, score->claims, 100.0 * score->coverage,
+                            100.0 * score->least_coverage, score->bias, score->answer_s.value_or(no_number)});
     }
   }
   return table;
@@ -107,7 +107,8 @@ Section family_section(const FamilyStudy& study) {
   section.add_table(
       "family-scores",
       "All scores. Held: share of the samples with an answer; claims: the squared error by its own sigma; "
-      "coverage: health within ±1.96 sigma, 95 % is honest; no time: half of the step was never seen",
+      "coverage: health within ±1.96 sigma, 95 % is honest, least: of the parameter that is covered least; no time: "
+      "half of the step was never seen",
       table_of(study));
   for (const FamilyCaseResult& c : study.cases)
     if (c.failed > 0)

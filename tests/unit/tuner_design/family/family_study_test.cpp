@@ -89,6 +89,18 @@ TEST(FamilyStudy, InShortFlightsWhoIsToldOfWearFollowsItAndAConstantDoesNot) {
   EXPECT_LT(score("time_varying").coverage, score("ekf").coverage);
 }
 
+TEST(FamilyStudy, OnlyWhoIsAskedForFliesAndTheLeastCoveredParameterIsNoBetterThanAll) {
+  FamilyOptions options = in_short(2);
+  options.cases = {FamilyCase::constant};
+  options.estimators = {"ekf", "tuner"};
+  const FamilyStudy study = run_family_study(cruise_design(), options);
+  EXPECT_THAT(study.estimators, testing::ElementsAre("tuner", "ekf"));  // as in the table
+  for (const auto& score : study.cases.front().scores) {
+    ASSERT_TRUE(score);
+    EXPECT_LE(score->least_coverage, score->coverage);
+  }
+}
+
 TEST(FamilyStudy, AnotherEnginesDesignIsRefused) {
   FamilyOptions options = in_short(1);
   options.engine = engine_sim::named_engine("high_bypass");
