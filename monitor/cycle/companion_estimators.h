@@ -3,7 +3,7 @@
 // The estimators that fly beside the watch filter: the published one, where that is another, and the shadows. They get
 // each sample with the sensors that the watch filter fuses, so that what is published changes nothing in what is found.
 //
-// One that takes too long may be told to rest: for rest_s it gets no sample and has no estimate, then it starts cold.
+// One that takes too long may be told to rest: it gets no sample and has no estimate meanwhile, then it starts cold.
 //
 // A copy is a new start with the same kinds of estimators; assigning one to another of the same design and options
 // allocates nothing. Real-time safe: yes, all but construction.

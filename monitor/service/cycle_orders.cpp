@@ -21,18 +21,20 @@ OrderOutcome::Kind CycleThread::carry_out(const MonitorCommand& command, OrderOu
   const std::string_view estimator = idl::ordered_estimator(command.kind());
   if (command.kind() != static_cast<std::uint32_t>(idl::MonitorCommandKind::reset) && estimator.empty())
     return OrderOutcome::Kind::unknown_kind;
-  OrderOutcome::Kind worst = OrderOutcome::Kind::done;
+  const auto carry_out_for = [&](EngineSlot& slot) {
+    if (!estimator.empty()) return choose(estimator, slot);
+    return reset(slot) ? OrderOutcome::Kind::done : OrderOutcome::Kind::too_soon;
+  };
+  OrderOutcome::Kind said = OrderOutcome::Kind::done;  // of several refusals the last one's reason
   engines_->for_each([&](EngineSlot& slot) {
     if (command.engine_id() != 0 && command.engine_id() != slot.engine_id) return;
     ++outcome.engines;
-    const OrderOutcome::Kind kind = !estimator.empty()
-                                        ? choose(estimator, slot)
-                                        : (reset(slot) ? OrderOutcome::Kind::done : OrderOutcome::Kind::too_soon);
+    const OrderOutcome::Kind kind = carry_out_for(slot);
     if (kind == OrderOutcome::Kind::done) return;
     ++outcome.refused;
-    worst = kind;
+    said = kind;
   });
-  return outcome.engines == 0 ? OrderOutcome::Kind::not_served : worst;
+  return outcome.engines == 0 ? OrderOutcome::Kind::not_served : said;
 }
 
 OrderOutcome::Kind CycleThread::choose(std::string_view estimator, EngineSlot& slot) {

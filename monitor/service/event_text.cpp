@@ -144,6 +144,17 @@ std::string estimator_name(const Event& e) {
   return e.channel < idl::estimator_names.size() ? idl::estimator_names[e.channel] : "?";
 }
 
+/// A replay knows that it was so, and not how long it took.
+std::string estimator_overrun(const Event& e) {
+  if (!e.raised) return fmt::format("estimator {} flies again, from a cold start", estimator_name(e));
+  if (e.threshold == 0.0)
+    return fmt::format("estimator {} overran its budget where this was recorded: it rests for 10 s", estimator_name(e));
+  return fmt::format(
+      "estimator {} took {:.0f} us for a sample, and {} times in a row more than the {:.0f} us of estimator.budget_ms: "
+      "it rests for 10 s",
+      estimator_name(e), e.value, BudgetWatch::most_overruns, e.threshold);
+}
+
 std::string restart_reason(const Event& e) {
   switch (static_cast<RestartReason>(e.detail)) {
     case RestartReason::command:
@@ -298,12 +309,7 @@ std::string event_text(const Event& e, const linear_model::LinearModel& model) {
                  ? fmt::format("the published estimator has answered {:.0f} samples, and is published again", e.value)
                  : "the published estimator is published again";
     case idl::EventKind::estimator_overrun:
-      return e.raised
-                 ? fmt::format(
-                       "estimator {} took {:.0f} us for a sample, and {} times in a row more than the {:.0f} us of "
-                       "estimator.budget_ms: it rests for 10 s",
-                       estimator_name(e), e.value, BudgetWatch::most_overruns, e.threshold)
-                 : fmt::format("estimator {} flies again, from a cold start", estimator_name(e));
+      return estimator_overrun(e);
     case idl::EventKind::estimator_chosen:
       return fmt::format("estimates of {} are published, by order", estimator_name(e));
     case idl::EventKind::second_monitor:

@@ -75,11 +75,7 @@ double median(std::vector<double> values) {
 class Flight {
  public:
   Flight(const FamilyFleet& fleet, std::uint64_t seed, std::size_t index)
-      : fleet_(fleet),
-        seed_(seed),
-        index_(index),
-        simulation_(scenario_of(fleet, seed, index)),
-        stepped_(index % fleet.engine.channels.health.size()) {
+      : fleet_(fleet), seed_(seed), index_(index), stepped_(index % fleet.engine.channels.health.size()) {
     const auto p = as_index(fleet.engine.channels.health.size());
     for (const auto& flier : fleet.fliers) {
       estimators_.push_back(flier ? flier->clone() : nullptr);
@@ -102,8 +98,14 @@ class Flight {
 
  private:
   void fly(double seconds) {
+    sim::Simulation simulation(scenario_of(fleet_, seed_, index_));
     const auto samples = static_cast<std::int64_t>(seconds / fleet_.step_s);
-    for (std::int64_t k = 0; k < samples; ++k) take(static_cast<double>(k) * fleet_.step_s);
+    for (std::int64_t k = 0; k < samples; ++k) {
+      const double t = static_cast<double>(k) * fleet_.step_s;
+      const sim::EngineSample sample = simulation.next_sample();
+      if (k == 0) before_ = conditions_of(sample);  // nothing acted before the first sample
+      take(sample, 1, is_judged(t), t);
+    }
   }
 
   /// Each flight is a new start of the engine, whose metal is in balance.
@@ -130,12 +132,6 @@ class Flight {
       for (const auto& estimator : estimators_)
         if (estimator) estimator->next_flight(told_wear_percent);
     }
-  }
-
-  void take(double t) {
-    const sim::EngineSample sample = simulation_.next_sample();
-    if (t == 0.0) before_ = conditions_of(sample);  // nothing acted before the first sample
-    take(sample, 1, is_judged(t), t);
   }
 
   static estimation::Conditions conditions_of(const sim::EngineSample& sample) {
@@ -204,7 +200,6 @@ class Flight {
   const FamilyFleet& fleet_;
   std::uint64_t seed_;
   std::size_t index_;
-  sim::Simulation simulation_;
   std::size_t stepped_;
   std::vector<std::unique_ptr<estimation::Estimator>> estimators_;
   std::vector<FamilyOutcome> outcomes_;

@@ -109,6 +109,20 @@ TEST(EventText, LostInputSaysWhatCameInstead) {
       "source");
 }
 
+TEST(EventText, AnEstimatorIsNamedByItsNumber) {
+  EXPECT_EQ(text({EventKind::estimator_overrun, 5, true, 9120.0, 7500.0, 0}),
+            "estimator ekf took 9120 us for a sample, and 3 times in a row more than the 7500 us of "
+            "estimator.budget_ms: it rests for 10 s");
+  EXPECT_EQ(text({EventKind::estimator_overrun, 5, true, 0.0, 0.0, 0}),
+            "estimator ekf overran its budget where this was recorded: it rests for 10 s");
+  EXPECT_EQ(text({EventKind::estimator_overrun, 5, false, 0.0, 0.0, 0}),
+            "estimator ekf flies again, from a cold start");
+  EXPECT_EQ(text({EventKind::estimator_chosen, 0, true, 0.0, 0.0, 0}), "estimates of tuner are published, by order");
+  EXPECT_EQ(monitor::channel_name({EventKind::estimator_chosen, 15, true, 0, 0, 0}, model()), "rls");
+  EXPECT_EQ(monitor::channel_name({EventKind::estimator_chosen, 99, true, 0, 0, 0}, model()),
+            "?");  // of another version
+}
+
 TEST(EventText, WhatIsToldElsewhereIsNoCheckpoint) {
   for (const EventKind kind : {EventKind::input_deadline, EventKind::input_liveliness, EventKind::configuration,
                                EventKind::incompatible_qos, EventKind::security})
