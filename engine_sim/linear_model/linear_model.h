@@ -33,6 +33,12 @@ inline Eigen::VectorXd trims(const std::vector<Channel>& channels) {
   return trims;
 }
 
+inline std::vector<std::string> names_of(const std::vector<Channel>& channels) {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels) names.push_back(channel.name);
+  return names;
+}
+
 /// Where the model holds.
 struct OperatingPoint {
   double altitude_m = 0.0;

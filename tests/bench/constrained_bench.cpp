@@ -13,7 +13,7 @@
 #include "deploy/runtime/numbers/noise_source.h"
 #include "tuner_design/kosanam/batch_filter.h"
 #include "tuner_design/kosanam/mapss_model.h"
-#include "tuner_design/kosanam/wear_law.h"
+#include "tuner_design/wear/wear_law.h"
 
 namespace {
 
@@ -32,7 +32,7 @@ const BatchProblem& problem() {
 const std::vector<Eigen::VectorXd>& readings() {
   static const std::vector<Eigen::VectorXd> all = [] {
     const BatchProblem& p = problem();
-    const WearLaw law = wear_law(p.health_channels, 12.0);
+    const WearLaw law = wear_law(p.health_names, 12.0);
     const Eigen::Index n = p.states;
     const Eigen::MatrixXd balance =
         (Eigen::MatrixXd::Identity(n, n) - p.A.topLeftCorner(n, n)).inverse() * p.A.topRightCorner(n, p.health);
@@ -51,7 +51,7 @@ const std::vector<Eigen::VectorXd>& readings() {
 }
 
 void filter(benchmark::State& state, const FilterCase& what) {
-  const WearLaw law = wear_law(problem().health_channels, 12.0);
+  const WearLaw law = wear_law(problem().health_names, 12.0);
   const auto& y = readings();
   for (auto _ : state) {
     BatchFilter one(problem(), what, law.direction);

@@ -7,9 +7,9 @@
 #include "deploy/runtime/long_work/parallel_for.h"
 #include "deploy/runtime/numbers/index.h"
 #include "tuner_design/endurthi/linear_models.h"
-#include "tuner_design/endurthi/wear_law.h"
 #include "tuner_design/linearise/step_study.h"
 #include "tuner_design/monte_carlo/random_stream.h"
+#include "tuner_design/wear/wear_law.h"
 
 namespace ehm::tuner_design::endurthi {
 namespace {
@@ -19,12 +19,9 @@ constexpr std::size_t kinds = filter_kind_names.size();
 }  // namespace
 
 FlightTruth truth_of(const StudyPoint& point, double cycles) {
-  const engine_sim::HealthVector all = worn_after(cycles);
-  Eigen::VectorXd h(point.plant.health);
-  Eigen::Index i = 0;
-  for (const auto& health : point.engine->layout.channels().health) h(i++) = all[health.parameter];
-  const StudyPoint worn = point.worn(h);
-  return {100.0 * h, worn.sensor_trim(), worn.control_trim()};
+  const Eigen::VectorXd h_percent = wear_law(point.health_names(), 1.0).at(cycles);
+  const StudyPoint worn = point.worn(0.01 * h_percent);
+  return {h_percent, worn.sensor_trim(), worn.control_trim()};
 }
 
 HealthErrors errors_of(const Eigen::VectorXd& mean_squares, const Eigen::VectorXd& change) {

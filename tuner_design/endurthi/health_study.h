@@ -3,7 +3,7 @@
 // Tables IV and V and figures 5.3 to 5.5 of Endurthi's thesis on our engine: health estimated by the filters of
 // health_filter.h, on each of the 27 linear models and on the tangent, of a nonlinear engine that wears.
 //   flight   3 s at 10 Hz of the settled engine, held by its own control: 30 samples with noise; estimate and covariance
-//            are carried to the next one. A flight stands for 12 cycles of wear (wear_law.h), so that 500 of them, the
+//            are carried to the next one. A flight stands for 12 cycles of wear (wear/wear_law.h), so that 500 of them, the
 //            thesis' long figure, are the 6000 cycles of the table
 //   error    RMS over 20 runs and 50 flights of the estimate at each flight's end, absolute and in percent of the true
 //            change after the last one (a reading: the thesis says percent only)

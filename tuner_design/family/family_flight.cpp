@@ -10,8 +10,8 @@
 #include "engine_sim/scenario/mission.h"
 #include "engine_sim/simulation.h"
 #include "tuner_design/flight/mission_scenario.h"
-#include "tuner_design/kosanam/wear_law.h"
 #include "tuner_design/monte_carlo/random_stream.h"
+#include "tuner_design/wear/wear_law.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -110,17 +110,17 @@ class Flight {
 
   /// Each flight is a new start of the engine, whose metal is in balance.
   void fly_batches() {
-    std::vector<linear_model::Channel> channels;
-    for (const auto& h : fleet_.engine.channels.health)
-      channels.push_back({std::string(sim::health_names[h.parameter]), "percent", 0.0});
-    const WearLaw law = wear_law(channels, cycles_a_flight);
+    const auto& channels = fleet_.engine.channels.health;
+    std::vector<std::string> names;
+    for (const auto& health : channels) names.emplace_back(sim::health_names[health.parameter]);
+    const WearLaw law = wear_law(names, cycles_a_flight);
     const sim::Scenario first = scenario_of(fleet_, seed_, index_);
     for (int flight = 0; flight < flights; ++flight) {
       sim::Scenario worn = first;
       worn.seed = first.seed + flight;
       const Eigen::VectorXd wear_percent = law.at(flight);
       for (std::size_t i = 0; i < channels.size(); ++i)
-        worn.wear[fleet_.engine.channels.health[i].parameter].initial += 0.01 * wear_percent(as_index(i));
+        worn.wear[channels[i].parameter].initial += 0.01 * wear_percent(as_index(i));
       sim::Simulation simulation(worn);
       for (int k = 0; k < samples_a_flight; ++k) {
         for (int lost = 1; lost < steps_a_sample; ++lost) simulation.next_sample();

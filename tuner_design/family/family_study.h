@@ -8,7 +8,7 @@
 //   gradual wear   from 10 s on every parameter wears by 1 % a minute
 //   slam           at 20 s the fan is to turn 8 % slower, at 25 s as before
 //   fifty flights  thirty samples of each, one in 0.105 s, state and covariance carried on; the engine wears by the law
-//                  of the studies (kosanam/wear_law.h), 12 cycles a flight, and who knows of flights is told of 0.05 %
+//                  of the studies (wear/wear_law.h), 12 cycles a flight, and who knows of flights is told of 0.05 %
 //                  a flight
 //   whole flight   taxi to taxi, two hours, samples of 0.1 s, for a fifth of the engines: of those that fly an engine,
 //                  but the particle filters, which would take hours

@@ -31,7 +31,7 @@ BatchProblem batch_problem(const linear_model::LinearModel& model, double health
   const linear_model::LinearModel& scaled = point.model;
   BatchProblem p;
   p.model = model.name;
-  p.health_channels = model.health;
+  p.health_names = names_of(model.health);
   p.sample_time_s = scaled.sample_time_s;
   p.states = scaled.A.rows();
   p.health = scaled.L.cols();

@@ -17,7 +17,7 @@ namespace ehm::tuner_design {
 
 struct BatchProblem {
   std::string model;
-  std::vector<linear_model::Channel> health_channels;
+  std::vector<std::string> health_names;
   Eigen::Index states = 0, health = 0;
   Eigen::MatrixXd A, C, Q;  ///< augmented, n + p
   Eigen::VectorXd R;

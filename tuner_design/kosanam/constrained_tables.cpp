@@ -32,8 +32,8 @@ ConstrainedTables constrained_tables(const linear_model::LinearModel& model, con
   const BatchProblem nominal = batch_problem(model, options.health_variance);
   tables.model = nominal.model;
   tables.sample_time_s = nominal.sample_time_s;
-  for (const linear_model::Channel& parameter : model.health) tables.health.push_back(parameter.name);
-  tables.not_known = wear_law(model.health, tables.options.batch.cycles_a_flight).not_known;
+  tables.health = names_of(model.health);
+  tables.not_known = wear_law(tables.health, tables.options.batch.cycles_a_flight).not_known;
   const double count = static_cast<double>(options.sweep.size());
   for (const double factor : options.sweep) {
     const BatchProblem problem = with_health_variance(nominal, factor * options.health_variance);

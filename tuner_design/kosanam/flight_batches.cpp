@@ -105,7 +105,7 @@ double BatchResult::of_change(std::size_t filter, Eigen::Index parameter) const 
 
 BatchResult fly_batches(const BatchProblem& problem, const std::vector<FilterCase>& cases, const BatchOptions& options,
                         const std::function<void(std::size_t)>& progress) {
-  const WearLaw law = wear_law(problem.health_channels, options.cycles_a_flight, options.equal_wear_percent);
+  const WearLaw law = wear_law(problem.health_names, options.cycles_a_flight, options.equal_wear_percent);
   std::vector<std::vector<Sums>> runs(as_size(options.runs));
   long_work::parallel_for(
       runs.size(), options.threads, [&](std::size_t run) { runs[run] = fly_one(problem, cases, options, law, run); },

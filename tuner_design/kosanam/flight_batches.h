@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "tuner_design/kosanam/batch_filter.h"
-#include "tuner_design/kosanam/wear_law.h"
+#include "tuner_design/wear/wear_law.h"
 
 namespace ehm::tuner_design {
 

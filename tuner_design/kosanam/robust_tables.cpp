@@ -85,8 +85,8 @@ RobustTables robust_tables(const linear_model::LinearModel& model, const RobustT
   tables.options.batch = batch;
   const BatchProblem nominal = batch_problem(model, options.health_variance);
   tables.model = nominal.model;
-  for (const linear_model::Channel& parameter : model.health) tables.health.push_back(parameter.name);
-  tables.not_known = wear_law(model.health, batch.cycles_a_flight).not_known;
+  tables.health = names_of(model.health);
+  tables.not_known = wear_law(tables.health, batch.cycles_a_flight).not_known;
   tables.factor = best_factor(nominal, tables.options);
   const BatchProblem problem = with_health_variance(nominal, tables.factor * options.health_variance);
 

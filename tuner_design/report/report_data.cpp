@@ -45,10 +45,4 @@ ReportData report_data(design::Design design, Studies studies) {
   return data;
 }
 
-std::vector<std::string> names_of(const std::vector<linear_model::Channel>& channels) {
-  std::vector<std::string> names;
-  for (const linear_model::Channel& channel : channels) names.push_back(channel.name);
-  return names;
-}
-
 }  // namespace ehm::tuner_design::report

@@ -36,8 +36,6 @@ struct ReportData {
 /// @throws std::runtime_error if I - A of the model or of the filter is singular.
 ReportData report_data(design::Design design, Studies studies);
 
-std::vector<std::string> names_of(const std::vector<linear_model::Channel>& channels);
-
 inline std::vector<double> values_of(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }

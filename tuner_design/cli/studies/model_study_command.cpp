@@ -5,14 +5,20 @@
 #include <stdexcept>
 
 #include "deploy/runtime/files/file_error.h"
+#include "engine_sim/scenario/life.h"
 #include "tuner_design/linearise/linearise.h"
 #include "tuner_design/print/check_text.h"
 #include "tuner_design/print/studies/robust_study_text.h"
 #include "tuner_design/report/study_sections/study_sections.h"
-#include "tuner_design/studies/half_worn.h"
 #include "tuner_design/studies/simon_garg_table.h"
 
 namespace ehm::tuner_design {
+namespace {
+
+/// "Fleet average, 50 percent deteriorated": the trim at which Simon & Garg linearise.
+constexpr double half_life_cycles = 3000.0;
+
+}  // namespace
 
 linear_model::LinearModel cruise_model(const std::shared_ptr<const engine_sim::EngineDefinition>& engine,
                                        bool half_worn) {
@@ -20,7 +26,7 @@ linear_model::LinearModel cruise_model(const std::shared_ptr<const engine_sim::E
   options.flight = {10668.0, 0.8, 0.0};
   options.demand = {engine_sim::DemandKind::t40_k, cruise_t40_k};
   options.fleet = 0;
-  if (half_worn) options.health = half_worn_health;
+  if (half_worn) options.health = engine_sim::health_of({.cycles = half_life_cycles});
   linear_model::LinearModel model = linearise(engine, options).model;
   model.name += half_worn ? ", linearised at a half-worn engine (3000 cycles), as the paper's is"
                           : ", linearised at the new engine (the paper's: half worn)";

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filters of Endurthi's thesis on our engine, and the law by which it wears.
+// The filters of Endurthi's thesis on our engine.
 
 #include "tuner_design/endurthi/health_study.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "engine_sim/engines/jt9d_engine.h"
 #include "tuner_design/endurthi/linear_models.h"
-#include "tuner_design/endurthi/wear_law.h"
 #include "tuner_design/linearise/step_study.h"
 #include "tuner_design/monte_carlo/random_stream.h"
 #include "tuner_design/print/studies/endurthi_health_text.h"
@@ -38,18 +38,16 @@ void fly_new_engine(HealthFilter& filter, RandomStream& random, int samples) {
   }
 }
 
-// Table of Chatterjee & Litt after 3000 and 6000 cycles, to what a straight line after the run-in can follow.
-TEST(WearLaw, FollowsTheTable) {
-  using namespace engine_sim;
-  EXPECT_EQ(worn_after(0.0), HealthVector{});
-  const HealthVector half = worn_after(3000.0), full = worn_after(6000.0);
-  EXPECT_NEAR(half[fan_efficiency], -0.0150, 0.0010);
-  EXPECT_NEAR(full[fan_efficiency], -0.0285, 0.0010);
-  EXPECT_NEAR(full[fan_flow], -0.0365, 0.0010);
-  EXPECT_NEAR(full[lpc_flow], -0.0400, 0.0020);
-  EXPECT_NEAR(half[hpc_efficiency], -0.0200, 1e-9);
-  EXPECT_NEAR(full[hpt_flow], 0.0257, 0.0020);  // turbine nozzles open
-  EXPECT_NEAR(full[hpt_efficiency], -0.0381, 0.0025);
+// Chatterjee & Litt's table after 6000 cycles, and an engine in balance with it.
+TEST(FlightTruth, WearsByTheLawOfAllStudies) {
+  const FlightTruth fresh = truth_of(part_power(), 0.0), worn = truth_of(part_power(), 6000.0);
+  EXPECT_EQ(fresh.health_percent, Eigen::VectorXd::Zero(9));
+  const auto names = part_power().health_names();
+  const auto fan_flow = std::find(names.begin(), names.end(), "fan_flow") - names.begin();
+  ASSERT_LT(fan_flow, 9);
+  EXPECT_NEAR(worn.health_percent(fan_flow), -3.65, 1e-9);
+  EXPECT_LT((fresh.y - part_power().sensor_trim()).cwiseAbs().maxCoeff(), 1e-6 * part_power().sensor_trim().maxCoeff());
+  EXPECT_GT((worn.y - fresh.y).cwiseQuotient(part_power().noise_sigma).cwiseAbs().maxCoeff(), 10.0);
 }
 
 TEST(HealthFilter, WithoutNoiseTheEstimateIsTheHealth) {

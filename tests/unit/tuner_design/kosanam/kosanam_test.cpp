@@ -19,28 +19,6 @@
 namespace ehm::tuner_design {
 namespace {
 
-// Chatterjee & Litt's table at 3000 and 6000 cycles, at 12 cycles a flight: fan flow -2.04, -3.65, HPT flow +1.76,
-// +2.57 %.
-TEST(WearLaw, GoesThroughTheTable) {
-  const WearLaw law = wear_law(mapss_model().health, 12.0);
-  EXPECT_TRUE(law.not_known.empty());
-  EXPECT_NEAR(law.at(250.0)(0), -2.04, 0.01);
-  EXPECT_NEAR(law.at(500.0)(0), -3.65, 0.01);
-  EXPECT_NEAR(law.at(250.0)(4), 1.76, 0.01);
-  EXPECT_NEAR(law.at(500.0)(4), 2.57, 0.01);
-  EXPECT_EQ(law.at(0.0), Eigen::VectorXd::Zero(8));
-  EXPECT_EQ(law.direction(0), -1.0);
-  EXPECT_EQ(law.direction(4), 1.0);
-  for (int flight = 1; flight < 500; ++flight)
-    EXPECT_GT((law.at(flight) - law.at(flight - 1)).cwiseProduct(law.direction).minCoeff(), 0.0) << flight;
-}
-
-TEST(WearLaw, SaysWhatItDoesNotKnow) {
-  const WearLaw law = wear_law({{"fan_efficiency", "fraction", 0.0}, {"oddity", "fraction", 0.0}}, 12.0);
-  EXPECT_THAT(law.not_known, testing::ElementsAre("oddity"));
-  EXPECT_EQ(law.at(100.0)(0), law.at(100.0)(1));
-}
-
 // The file's own R and Q, and eigenvalues: spools .906 +- .017i, metal .992.
 TEST(MapssModel, IsTheReferenceFile) {
   const linear_model::LinearModel ours = mapss_model();
@@ -64,11 +42,6 @@ TEST(BatchFilter, TheTimeVaryingGainGoesToTheSteadyOne) {
   for (int k = 0; k < 30000; ++k) varying.step();
   EXPECT_LT((varying.now().K - steady.K).norm(), 1e-6 * steady.K.norm());
   EXPECT_LT((varying.now().P - steady.P).norm(), 1e-6 * steady.P.norm());
-}
-
-TEST(WearLaw, EqualWearGivesAllParametersTheSameAndKeepsTheirDirections) {
-  const WearLaw law = wear_law(mapss_model().health, 12.0, 3.0);
-  for (Eigen::Index i = 0; i < 8; ++i) EXPECT_NEAR(law.at(500.0)(i), 3.0 * law.direction(i), 0.02) << i;
 }
 
 ConstrainedTables small_tables(unsigned threads, int flights = 300) {

@@ -13,9 +13,9 @@
 #include "engine_sim/engines/jt9d.h"
 #include "engine_sim/engines/jt9d_engine.h"
 #include "engine_sim/linear_model/model_check.h"
+#include "engine_sim/scenario/life.h"
 #include "monitor/estimation/steady_gain.h"
 #include "tuner_design/design/design_tuner.h"
-#include "tuner_design/studies/half_worn.h"
 
 namespace ehm::tuner_design {
 namespace {
@@ -68,7 +68,7 @@ TEST_F(LineariseAtCruise, NamesTheEngineThatItWasMadeFrom) {
 TEST_F(LineariseAtCruise, AHalfWornEngineHasATrimOfItsOwn) {
   LineariseOptions worn = options;
   worn.fleet = 0;
-  worn.health = half_worn_health;
+  worn.health = engine_sim::health_of({.cycles = 3000.0});
   const linear_model::LinearModel model = linearise(engine_sim::default_engine(), worn).model;
   EXPECT_NO_THROW(linear_model::check_model(model, "half worn"));
   // At the same T40 a worn engine turns slower and gives less thrust.

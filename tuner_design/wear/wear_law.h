@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// How the health of a study's engine wears over its flights, percent of nominal:
+// How the health of every study's engine wears over its flights, percent of nominal:
 //   h(k) = -a (1 - exp(-k/tau)) - b k,   k in flights since new
 // a and b by parameter through the wear table at 3000 and 6000 cycles (engine_sim/scenario/life.h), tau 240 cycles.
 // *Reading*: the theses give neither law nor size, only that it is exponential and reaches some percent; 12 cycles a
@@ -10,8 +10,6 @@
 #include <Eigen/Core>
 #include <string>
 #include <vector>
-
-#include "engine_sim/linear_model/linear_model.h"
 
 namespace ehm::tuner_design {
 
@@ -25,6 +23,6 @@ struct WearLaw {
 };
 
 /// `equal_percent`: what each parameter has lost or gained after 6000 cycles, in place of the table's; 0: the table's.
-WearLaw wear_law(const std::vector<linear_model::Channel>& health, double cycles_a_flight, double equal_percent = 0.0);
+WearLaw wear_law(const std::vector<std::string>& health, double cycles_a_flight, double equal_percent = 0.0);
 
 }  // namespace ehm::tuner_design

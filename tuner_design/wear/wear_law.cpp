@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tuner_design/kosanam/wear_law.h"
+#include "tuner_design/wear/wear_law.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "deploy/runtime/numbers/index.h"
 #include "engine_sim/scenario/life.h"
 
 namespace ehm::tuner_design {
@@ -23,7 +24,7 @@ Eigen::VectorXd WearLaw::at(double flight) const {
   return -early * (1.0 - std::exp(-flight / early_flights)) - late * flight;
 }
 
-WearLaw wear_law(const std::vector<linear_model::Channel>& health, double cycles_a_flight, double equal_percent) {
+WearLaw wear_law(const std::vector<std::string>& health, double cycles_a_flight, double equal_percent) {
   const engine_sim::HealthVector half = engine_sim::health_of({.cycles = half_life_cycles}),
                                  whole = engine_sim::health_of({.cycles = 2.0 * half_life_cycles});
   WearLaw law;
@@ -31,8 +32,8 @@ WearLaw wear_law(const std::vector<linear_model::Channel>& health, double cycles
   law.early.resize(as_index(health.size()));
   law.late = law.direction = law.early;
   for (std::size_t i = 0; i < health.size(); ++i) {
-    const Eigen::Index place = place_of(health[i].name);
-    if (place < 0) law.not_known.push_back(health[i].name);
+    const Eigen::Index place = place_of(health[i]);
+    if (place < 0) law.not_known.push_back(health[i]);
     const auto from = as_size(std::max<Eigen::Index>(place, 0));  // fan_efficiency is the first
     const double scale = equal_percent > 0.0 ? equal_percent / std::abs(whole[from]) : 100.0;
     const double at_half = scale * half[from], at_whole = scale * whole[from];
