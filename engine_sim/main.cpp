@@ -20,6 +20,7 @@
 #include "engine_sim/commands.h"
 #include "engine_sim/linear/linear_engine.h"
 #include "engine_sim/replay/replay.h"
+#include "engine_sim/replay/unflown_keys.h"
 #include "engine_sim/run.h"
 #include "engine_sim/scenario/scenario_file.h"
 #include "engine_sim/simulation.h"
@@ -42,7 +43,9 @@ std::unique_ptr<engine_sim::SimulatedEngine> make_engine(const engine_sim::SimCo
 }
 
 /// A recording instead of a flight: the same exit codes.
-int replay(const engine_sim::SimConfig& config, bool check_only) {
+int replay(const engine_sim::SimConfig& config, const std::vector<std::string>& given, bool check_only) {
+  if (const std::string unflown = engine_sim::unflown_keys(given); !unflown.empty())
+    spdlog::warn("a replay flies nothing: it does not use {}", unflown);
   try {
     const auto rows = recording::open_rows(config.replay.file, config.replay.column_map);
     if (check_only) {
@@ -96,7 +99,7 @@ int run(int argc, char** argv) {
     return service::exit_usage;
   }
 
-  if (!config.replay.file.empty()) return replay(config, line.check_config);
+  if (!config.replay.file.empty()) return replay(config, schema.given(), line.check_config);
   std::unique_ptr<engine_sim::SimulatedEngine> simulated;
   try {
     simulated = make_engine(config);

@@ -25,6 +25,7 @@ constexpr std::array refused{
     Refused{"engine.model", "which is an engine of its own"},
     Refused{"engine.heat_soak", "whose states are what it lists"},
     Refused{"run.sample_time_s", "which has a sample_time_s of its own"},
+    Refused{"profile", "which holds at its own operating point only"},
     Refused{"replay.", "and a replay flies nothing"},
 };
 
@@ -35,11 +36,10 @@ constexpr std::array refused{
 
 }  // namespace
 
-void check_linear(const std::vector<std::string>& given, const Scenario& scenario) {
+void check_linear(const std::vector<std::string>& given) {
   for (const std::string& key : given)
     for (const auto& [prefix, why] : refused)
       if (key.starts_with(prefix)) refuse(key, why);
-  if (!scenario.profile.empty()) refuse("profile", "which holds at its own operating point only");
 }
 
 }  // namespace ehm::engine_sim

@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "engine_sim/scenario/scenario.h"
-
 namespace ehm::engine_sim {
 
 /// `given`: the configuration keys that somebody has set.
 /// @throws config::ConfigError naming the first one that makes no sense, and why.
-void check_linear(const std::vector<std::string>& given, const Scenario& scenario);
+void check_linear(const std::vector<std::string>& given);
 
 }  // namespace ehm::engine_sim

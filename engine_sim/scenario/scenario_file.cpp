@@ -327,7 +327,7 @@ void finish_config(SimConfig& c, const Schema& schema) {
   c.rate_factor();
   const Names names = names_of(c);
   if (c.linear)
-    check_linear(schema.given(), c.scenario);
+    check_linear(schema.given());
   else
     c.engine_keys.finish(schema.given(), c.scenario);
   c.scenario.mismatch = c.mismatch_keys.value(schema.given());

@@ -20,7 +20,7 @@ namespace sim = engine_sim;
 
 constexpr double case_s = 40.0, event_s = 20.0, judged_last_s = 2.0, judged_after_step_s = 10.0;
 constexpr double wear_begins_s = 10.0, wear_a_minute = -0.01, step = -0.02, noise_factor = 3.0;
-constexpr double slam_depth = 0.92, slam_ends_s = 25.0;
+constexpr double slam_begins_s = 25.0, slam_depth = 0.92, slam_ends_s = 30.0;
 constexpr double take_off_s = 420.0, landing_s = 6900.0, judged_every_s = 20.0;
 constexpr std::size_t missing_sensor = 3;
 constexpr int flights = 50, samples_a_flight = 30, steps_a_sample = 7, first_judged_flight = 10;
@@ -50,7 +50,7 @@ sim::Scenario at_the_point(const FamilyFleet& fleet, RandomStream& random, std::
     const auto at = [&](double t, double share) {
       s.profile.push_back({t, s.flight, {sim::DemandKind::n1_rpm, share * fleet.fan_speed_rpm}, {}});
     };
-    at(0.0, 1.0), at(event_s, 1.0), at(event_s + 0.1, slam_depth), at(slam_ends_s, slam_depth),
+    at(0.0, 1.0), at(slam_begins_s, 1.0), at(slam_begins_s + 0.1, slam_depth), at(slam_ends_s, slam_depth),
         at(slam_ends_s + 0.1, 1.0);
   }
   return s;

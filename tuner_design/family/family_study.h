@@ -6,7 +6,7 @@
 //   noise x 3      the same, the sensors three times as noisy as everybody thinks
 //   rapid fault    at 20 s one health parameter steps by -2 %, by turns down the list
 //   gradual wear   from 10 s on every parameter wears by 1 % a minute
-//   slam           at 20 s the fan is to turn 8 % slower, at 25 s as before
+//   slam           at 25 s the fan is to turn 8 % slower, at 30 s as before, and is judged from 8 s after that
 //   fifty flights  thirty samples of each, one in 0.105 s, state and covariance carried on; the engine wears by the law
 //                  of the studies (wear/wear_law.h), 12 cycles a flight, and who knows of flights is told of 0.05 %
 //                  a flight

@@ -99,7 +99,7 @@ void Schema::alias(const std::string& key, const std::string& flag) {
 
 void Schema::tables(const std::string& key, const std::string& description,
                     const std::function<void(const std::string&, const toml::array&)>& parse) {
-  tables_.push_back({key, description, parse});
+  tables_.push_back({key, description, parse, false});
 }
 
 void Schema::add_flags(CLI::App& app) {
@@ -134,9 +134,12 @@ void Schema::load(const std::string& file) {
   parse_tables(file, content);
 }
 
-void Schema::parse_tables(const std::string& file, const toml::table& content) const {
-  for (const Tables& tables : tables_)
-    if (const auto node = content.at_path(tables.key)) tables.parse(file, *node.as_array());
+void Schema::parse_tables(const std::string& file, const toml::table& content) {
+  for (Tables& tables : tables_)
+    if (const auto node = content.at_path(tables.key)) {
+      tables.given = true;
+      tables.parse(file, *node.as_array());
+    }
 }
 
 /// A typing error in the name of EHM_DDS_SECURITY must not mean that the service flies without security. Names that are
@@ -261,6 +264,8 @@ std::vector<std::string> Schema::given() const {
   std::vector<std::string> keys;
   for (const Entry& entry : entries_)
     if (entry.given) keys.push_back(entry.key);
+  for (const Tables& tables : tables_)
+    if (tables.given) keys.push_back(tables.key);
   return keys;
 }
 

@@ -46,7 +46,7 @@ class Schema {
   void add_flags(CLI::App& app);
   /// Default, file (skipped if empty), environment, flags, in this order.
   void load(const std::string& file);
-  /// Keys that load() has found anywhere, tables apart.
+  /// Keys that load() has found anywhere, then the structured sections that the file has.
   std::vector<std::string> given() const;
   static constexpr const char* flag_group = "Configuration";  ///< of the options that add_flags() makes
 
@@ -79,11 +79,12 @@ class Schema {
   struct Tables {
     std::string key, description;
     std::function<void(const std::string&, const toml::array&)> parse;
+    bool given = false;
   };
 
   void add(Entry entry);
   void refuse_misspelt_environment() const;
-  void parse_tables(const std::string& file, const toml::table& content) const;
+  void parse_tables(const std::string& file, const toml::table& content);
   void load_table(const std::string& file, const std::string& prefix, const toml::table& table);
   static void assign(Entry& entry, const toml::node& node, const std::string& origin);
   static void assign_text(Entry& entry, const std::string& text, const std::string& origin);

@@ -5,6 +5,7 @@
 #include <string>
 
 namespace ehm::engine_sim {
+
 Transient::Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak heat_soak, Motion motion)
     : balance_(engine),
       heat_soak_(heat_soak),
@@ -14,7 +15,7 @@ Transient::Transient(const Turbofan& engine, const SteadyPoint& start, HeatSoak 
 
 const GasPath& Transient::output(const Operation& operation) {
   if (!present_ || !(present_->operation == operation)) {
-    present_ = solve(operation, state_, guess(predicted_, correction_));
+    present_ = solve(operation, state_, predicted_, correction_);
   }
   return present_->gas;
 }
@@ -26,7 +27,7 @@ void Transient::step(const Operation& operation, double dt_s) {
   output(operation);
   const Solved now = *present_;
   // y* = y + dt f(y)
-  const Solved then = solve(operation, moved(state_, now.gas, dt_s), guess(now.unknowns, advance_));
+  const Solved then = solve(operation, moved(state_, now.gas, dt_s), now.unknowns, advance_);
   // y <- y + dt/2 (f(y) + f(y*))
   state_ = moved(moved(state_, now.gas, 0.5 * dt_s), then.gas, 0.5 * dt_s);
   correction_.add(predicted_, now.unknowns);
@@ -41,10 +42,6 @@ void Transient::disturb(const SpoolSpeeds& change_rpm) {
   present_.reset();
 }
 
-FlowUnknowns Transient::guess(const FlowUnknowns& last, const UnknownsTrend& trend) const {
-  return motion_ == Motion::smooth ? trend.continued(last) : last;
-}
-
 Transient::State Transient::moved(const State& from, const GasPath& rates, double dt_s) {
   State to = from;
   to.speeds.n1_rpm += dt_s * rates.n1_dot_rpm_s;
@@ -53,9 +50,15 @@ Transient::State Transient::moved(const State& from, const GasPath& rates, doubl
   return to;
 }
 
-Transient::Solved Transient::solve(const Operation& operation, const State& at, const FlowUnknowns& guess) {
-  Solved s{operation, guess, {}};
-  s.gas = balance_.solve(operation, at.speeds, s.unknowns, heat_soak_ == HeatSoak::with ? &at.metal_k : nullptr);
+Transient::Solved Transient::solve(const Operation& operation, const State& at, const FlowUnknowns& last,
+                                   const UnknownsTrend& trend) {
+  const MetalTemperatures* metal = heat_soak_ == HeatSoak::with ? &at.metal_k : nullptr;
+  if (motion_ == Motion::smooth) {
+    Solved s{operation, trend.continued(last), {}};
+    if (balance_.try_solve(operation, at.speeds, s.unknowns, s.gas, metal) == GasPathStatus::ok) return s;
+  }
+  Solved s{operation, last, {}};
+  s.gas = balance_.solve(operation, at.speeds, s.unknowns, metal);
   return s;
 }
 

@@ -36,6 +36,8 @@ TEST_F(RefusedRecordingTest, WhatCannotBeReadOrWrittenIsNamedBeforeAnythingStart
   refused(with(monitor, {"--record", folder_.path("no/such/x.h5"), "--check-config"}), "x.h5: cannot be written");
   refused(with(monitor, {"--record-max-mb", "0"}), "'record.max_mb' is 0, allowed is a whole number from 1");
   refused({simulator_program(), "--replay", "nowhere.h5"}, "nowhere.h5: no such file");
+  refused({simulator_program(), "--replay", "nowhere.h5", "--run-seed", "3"},
+          "a replay flies nothing: it does not use 'run.seed'");
   refused({simulator_program(), "--replay", text, "--column-map", "nowhere.toml"}, "nowhere.toml: no such file");
   const auto map_of = [&](const std::string& sample_time_s) {
     return folder_.file(

@@ -88,6 +88,14 @@ TEST_F(SchemaTest, TellsWhichKeysWereGivenEvenWithTheirDefault) {
   EXPECT_EQ(schema_.given(), (std::vector<std::string>{"checks.samples", "names.on"}));
 }
 
+TEST_F(SchemaTest, TellsWhichStructuredSectionsTheFileHas) {
+  schema_.tables("wear", "", [](const std::string&, const toml::array&) {});
+  schema_.tables("profile", "", [](const std::string&, const toml::array&) {});
+  const ConfigFile file("[[wear]]\nx = 1\n");
+  schema_.load(file.path());
+  EXPECT_EQ(schema_.given(), std::vector<std::string>{"wear"});
+}
+
 TEST_F(SchemaTest, EachMistakeHasOneMessageWithPlaceKeyValueAndAllowedRange) {
   EXPECT_EQ(error_of("[checks]\ngate_sigma = 1.5\n"),
             ":2: 'checks.gate_sigma' is 1.5, allowed is a number from 2 to 20 sigma");
