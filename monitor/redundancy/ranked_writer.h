@@ -5,6 +5,9 @@
 // Two, because the strength of one cannot be changed for everybody: with DDS Security, readers of Fast DDS 2.9.1 keep
 // the strength that they saw when they matched. And so a rank holds from the very sample on that is written with it.
 //
+// What nobody listens to is not written: streams are volatile, so that no reader would ever get it, and a write without
+// readers costs nearly as much as one with.
+//
 // Real-time safe: as idl::Writer. Must be destroyed before its Participant.
 
 #include <cstdint>
@@ -25,13 +28,18 @@ class RankedWriter {
       : configured_(participant, 0, estimator) {
     if (participant.options().redundancy.exclusive) incumbent_.emplace(participant, incumbent_bonus, estimator);
   }
+  static_assert(idl::Topic<T>::delivery == idl::Delivery::stream, "what is kept for who joins late is always written");
+
   /// False when the middleware refused the sample.
-  bool write(const T& sample, bool as_incumbent) { return ranked(as_incumbent).write(sample); }
-  void release(const T& key, bool as_incumbent) { ranked(as_incumbent).release(key); }
+  bool write(const T& sample, bool as_incumbent) { return !heard() || ranked(as_incumbent).write(sample); }
+  void release(const T& key, bool as_incumbent) {
+    if (heard()) ranked(as_incumbent).release(key);
+  }
   /// Waits until all readers have what was written last; false after the time limit.
   bool drain(double seconds) { return configured_.drain(seconds) && (!incumbent_ || incumbent_->drain(seconds)); }
 
  private:
+  bool heard() const { return configured_.matched() > 0 || (incumbent_ && incumbent_->matched() > 0); }
   idl::Writer<T>& ranked(bool as_incumbent) { return as_incumbent && incumbent_ ? *incumbent_ : configured_; }
 
   idl::Writer<T> configured_;

@@ -126,8 +126,8 @@ TEST(Simulation, SurvivesEveryWearThatItSaysItCan) {
            << " to " << target << " within " << ramp_s << " s";
       }
   std::printf("%d of %zu orders of wear refused\n", refused, health_count * 8);
-  EXPECT_GT(refused, 0);  // the deepest of them end an engine
-  EXPECT_LT(refused, 40);
+  EXPECT_GT(refused, 0);   // the deepest of them end an engine
+  EXPECT_LT(refused, 10);  // 5; by the trend's guess alone (transient.h) it would be 13
 }
 
 TEST(Simulation, SaysWhatItCannotFly) {

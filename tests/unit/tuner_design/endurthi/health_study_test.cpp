@@ -47,7 +47,7 @@ TEST(FlightTruth, WearsByTheLawOfAllStudies) {
   ASSERT_LT(fan_flow, 9);
   EXPECT_NEAR(worn.health_percent(fan_flow), -3.65, 1e-9);
   EXPECT_LT((fresh.y - part_power().sensor_trim()).cwiseAbs().maxCoeff(), 1e-6 * part_power().sensor_trim().maxCoeff());
-  EXPECT_GT((worn.y - fresh.y).cwiseQuotient(part_power().noise_sigma).cwiseAbs().maxCoeff(), 10.0);
+  EXPECT_GT((worn.y - fresh.y).cwiseQuotient(part_power().noise_sigma).cwiseAbs().maxCoeff(), 5.0);
 }
 
 TEST(HealthFilter, WithoutNoiseTheEstimateIsTheHealth) {
