@@ -102,8 +102,10 @@ if [ "$full" = yes ]; then
   stage tsan sanitized tsan "integration_test lifecycle_test monitor_service_test engine_sim monitor ehm_watch tuner_design" \
     -R 'SpscQueue|FlightTest|BadSamplesTest|ReloadTest|CheckpointTest'
   # One build with clang for the tests and the fuzzers. Left out is what the sanitizer itself changes: it allocates, locks
-  # no memory, keeps what is freed for a while (the soak's growth), and its libraries link with no other compiler.
-  stage asan sanitized asan all -E '^Allocation|^RealtimeTest\.(MemoryIsLocked|WithoutThePrivilege)|^integration\.package$|^soak\.minute$'
+  # no memory, keeps what is freed for a while (the soak's growth), takes its time (the benches), and its libraries link
+  # with no other compiler.
+  stage asan sanitized asan all \
+    -E '^Allocation|^RealtimeTest\.(MemoryIsLocked|WithoutThePrivilege)|^integration\.package$|^soak\.minute$|^bench\.'
   stage fuzz tests/fuzz/fuzz.sh --jobs 2 --seconds "${EHM_FUZZ_SECONDS:-120}"
   printf '%s\n' "${stages[@]}"
 fi
