@@ -55,7 +55,7 @@ class RecordTest : public PairTest {
   /// Runs a program to its end, which must be good; returns what it said. We listen meanwhile, to lose nothing.
   std::string run(const std::vector<std::string>& arguments) {
     Process process(arguments);
-    EXPECT_TRUE(listener_.await([&] { return !process.running(); }, seconds(30)));
+    EXPECT_TRUE(listener_.await([&] { return !process.running(); }, seconds(150)));
     EXPECT_EQ(process.wait(seconds(1)), 0) << process.log();
     return process.log();
   }
