@@ -165,13 +165,13 @@ constexpr EstimatorMetric estimator_metrics[]{
     {"ehm_estimator_seconds_total", "Time that it took.", MetricType::Counter,
      [](const EstimatorFigures& e) { return e.spent_s; }},
     {"ehm_estimator_longest_seconds", "The longest that it took for one sample.", MetricType::Gauge,
-     [](const EstimatorFigures& e) -> double { return e.longest_s; }},
+     [](const EstimatorFigures& e) { return static_cast<double>(e.longest_s); }},
     {"ehm_estimator_innovation_ratio",
      "Its innovations squared over their variances, mean of the fused sensors over 1000 samples.", MetricType::Gauge,
-     [](const EstimatorFigures& e) -> double { return e.innovation_ratio; }},
+     [](const EstimatorFigures& e) { return static_cast<double>(e.innovation_ratio); }},
     {"ehm_estimator_difference",
      "Root mean square over health of its estimate less the published one, in sigmas of the published.",
-     MetricType::Gauge, [](const EstimatorFigures& e) -> double { return e.difference; }},
+     MetricType::Gauge, [](const EstimatorFigures& e) { return static_cast<double>(e.difference); }},
 };
 
 MetricFamily estimators(const Fleet& fleet, const EstimatorMetric& m) {

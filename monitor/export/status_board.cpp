@@ -54,7 +54,8 @@ void StatusBoard::post(std::uint32_t engine_id, const linear_model::LinearModel&
   std::vector<EstimateView> views;
   const auto add = [&](const char* kind, const auto& channels, const auto& values, const auto& sigmas) {
     for (std::size_t i = 0; i < channels.size(); ++i)
-      views.push_back({kind, channels[i].name, channels[i].unit, values[i], sigmas[i]});
+      views.push_back(
+          {kind, channels[i].name, channels[i].unit, static_cast<double>(values[i]), static_cast<double>(sigmas[i])});
   };
   if (estimates.present) {
     add("health", model.health, estimates.health, estimates.health_sigma);

@@ -150,8 +150,8 @@ class Grid {
         p[axis] = x;
         return trim({p[0], p[1], p[2]});
       };
-      const Eigen::VectorXd low = at(points[interval]), high = at(points[interval + 1]),
-                            middle = at(0.5 * (points[interval] + points[interval + 1]));
+      const Eigen::VectorXd &low = at(points[interval]), &high = at(points[interval + 1]),
+                            &middle = at(0.5 * (points[interval] + points[interval + 1]));
       if (low.size() == 0 || high.size() == 0 || middle.size() == 0) continue;
       const Eigen::VectorXd miss = (middle - 0.5 * (low + high)).cwiseQuotient(size_of(middle));
       sum += miss.squaredNorm();
