@@ -45,7 +45,7 @@ std::unique_ptr<engine_sim::SimulatedEngine> make_engine(const engine_sim::SimCo
 /// A recording instead of a flight: the same exit codes.
 int replay(const engine_sim::SimConfig& config, const std::vector<std::string>& given, bool check_only) {
   if (const std::string unflown = engine_sim::unflown_keys(given); !unflown.empty())
-    spdlog::warn("a replay flies nothing: it does not use {}", unflown);
+    spdlog::warn("a replay flies nothing: it does not use {}; leave out what only a flight needs", unflown);
   try {
     const auto rows = recording::open_rows(config.replay.file, config.replay.column_map);
     if (check_only) {

@@ -5,8 +5,7 @@
 // Two, because the strength of one cannot be changed for everybody: with DDS Security, readers of Fast DDS 2.9.1 keep
 // the strength that they saw when they matched. And so a rank holds from the very sample on that is written with it.
 //
-// What nobody listens to is not written: streams are volatile, so that no reader would ever get it, and a write without
-// readers takes 2 us.
+// What nobody listens to is not written: streams are volatile, so that no reader would ever get it.
 //
 // Real-time safe: as idl::Writer. Must be destroyed before its Participant.
 

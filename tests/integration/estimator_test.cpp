@@ -88,6 +88,25 @@ TEST_F(EstimatorTest, AnotherOneIsPublishedAndTheTunerFilterFliesBeside) {
   EXPECT_EQ(shadow.rbegin()->second.tuner_count(), 7u);
 }
 
+// A topic is written while somebody listens to it (ranked_writer.h), and a second reader finds it as the first did.
+TEST_F(PairTest, WhoListensLateHearsEverySampleFromThenOn) {
+  const auto monitor = start_monitor({"--estimator-shadow", "gauss_markov"});
+  const auto simulator = start_simulator();
+  ASSERT_TRUE(listener_.await([&] { return listener_.health.size() > 50; })) << monitor->log();
+  for (int reader = 0; reader < 2; ++reader) {
+    idl::Reader<EngineHealth> late(participant_, "gauss_markov");
+    std::vector<EngineHealth> heard;
+    ASSERT_TRUE(listener_.await([&] {
+      take_all(late, heard);
+      return heard.size() >= 50;
+    })) << monitor->log();
+    std::uint64_t expected = heard.front().sequence_number();
+    EXPECT_GT(expected, 50u);
+    for (const EngineHealth& estimate : heard) ASSERT_EQ(estimate.sequence_number(), expected++);
+  }
+  EXPECT_EQ(listener_.status.back().writes_refused(), 0u);
+}
+
 /// Orders, and what becomes of them: samples are sent one by one, so that every order falls between two of them.
 class ChoiceTest : public PairTest {
  protected:

@@ -77,8 +77,8 @@ FaultStudy run_fault_study(const design::Design& design, const FaultStudyOptions
   const StudyEngine engine = study_engine(design, options.engine);
   const std::vector<FaultCase> round = round_of_cases(design.model.sensors.size(), design.model.health.size());
   FaultStudy study;
-  for (const auto& sensor : design.model.sensors) study.sensors.push_back(sensor.name);
-  for (const auto& parameter : design.model.health) study.health.push_back(parameter.name);
+  study.sensors = names_of(design.model.sensors);
+  study.health = names_of(design.model.health);
   for (std::size_t c = 0; c < options.cases; ++c) study.cases.push_back(round[c % round.size()]);
   study.outcomes.resize(options.cases);
 

@@ -99,7 +99,7 @@ RobustTables robust_tables(const linear_model::LinearModel& model, const RobustT
   tables.standard_objective = robust_objective(robust, weights, standard.K);
   tables.trade = robust_trade(robust, 1.0, std::max(farthest_mu, 2.0 * tables.mu), trade_points);
   tables.surface = surface_of(robust, weights, standard.K, problem.states);
-  for (const linear_model::Channel& sensor : model.sensors) tables.sensors.push_back(sensor.name);
+  tables.sensors = names_of(model.sensors);
   // the covariance stays the standard one's: nothing here asks for it
   const std::vector<FilterCase> cases{
       {"standard", standard},

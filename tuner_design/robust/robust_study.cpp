@@ -103,7 +103,7 @@ RobustStudy run_robust_study(const linear_model::LinearModel& model, const Robus
   RobustStudy study;
   study.options = options;
   study.model = model.name;
-  for (const linear_model::Channel& parameter : model.health) study.health.push_back(parameter.name);
+  study.health = names_of(model.health);
   study.tuners = p.A.rows() - point.model.A.rows();
 
   const Eigen::MatrixXd standard = kalman_gain_for(p, everyone);
