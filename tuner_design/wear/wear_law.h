@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// How the health of every study's engine wears over its flights, percent of nominal:
+// How health wears over the flights of the theses' studies (endurthi/, kosanam/) and of the family, percent of nominal;
+// Lu's gradual wear is its paper's own:
 //   h(k) = -a (1 - exp(-k/tau)) - b k,   k in flights since new
 // a and b by parameter through the wear table at 3000 and 6000 cycles (engine_sim/scenario/life.h), tau 240 cycles.
 // *Reading*: the theses give neither law nor size, only that it is exponential and reaches some percent; 12 cycles a

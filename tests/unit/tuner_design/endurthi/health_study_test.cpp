@@ -39,7 +39,7 @@ void fly_new_engine(HealthFilter& filter, RandomStream& random, int samples) {
 }
 
 // Chatterjee & Litt's table after 6000 cycles, and an engine in balance with it.
-TEST(FlightTruth, WearsByTheLawOfAllStudies) {
+TEST(FlightTruth, WearsByTheCommonLaw) {
   const FlightTruth fresh = truth_of(part_power(), 0.0), worn = truth_of(part_power(), 6000.0);
   EXPECT_EQ(fresh.health_percent, Eigen::VectorXd::Zero(9));
   const auto names = part_power().health_names();

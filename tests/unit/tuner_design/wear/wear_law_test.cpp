@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The law by which the engines of all studies wear: through the table, one way only, and aloud about what it lacks.
+// The law by which the engines of the studies wear from flight to flight: through the table, one way only, and aloud about what it lacks.
 
 #include "tuner_design/wear/wear_law.h"
 
