@@ -44,6 +44,8 @@ class AnotherEngineTest : public PairTest {
                                               "[demand]\nkind = \"t40_k\"\nvalue = 1308.6\n"
                                               "[[wear]]\nparameter = \"hpc_efficiency\"\ninitial = -0.015\n"
                                               "[[wear]]\nparameter = \"hpt_flow\"\ninitial = 0.009\n");
+    // The simulator waits for readers of its own samples; that we hear the estimates is for us to await.
+    EXPECT_TRUE(listener_.await([&] { return listener_.monitors() == 1; }));
     return start_simulator({"--engine", engine, "--run-duration-s", duration_s, "--run-rate", "10"}, scenario);
   }
   const EngineDescription* description(idl::DescriptionRole role) const {
